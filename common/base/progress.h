@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the qmesh authors
+#pragma once
+
+#include <functional>
+
+namespace qmesh {
+
+/// Told how much is done, 0..1, never less than before; returns false to stop the work. Called from
+/// the thread that started the work only.
+using Progress = std::function<bool(double done)>;
+
+/// The slice first..last (0..1) of a parent's progress, for a step of a larger work.
+inline Progress subProgress(const Progress& parent, double first, double last) {
+  return [=](double done) { return !parent || parent(first + (last - first) * done); };
+}
+
+}  // namespace qmesh

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the qmesh authors
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "grid/height_tile.h"
+#include "mesh/level_params.h"
+#include "mesh/tile_frame.h"
+
+namespace qmesh {
+
+/// Order of the four edges everywhere: as in the quantized-mesh format.
+enum Edge { kWest = 0, kSouth = 1, kEast = 2, kNorth = 3 };
+
+/// The vertices of a tile's four edges: node positions 0..N along each edge, ascending (from the
+/// south-west), both corners included.
+using Border = std::array<std::vector<std::uint16_t>, 4>;
+
+/// The border contract (promise P1): the vertices of an edge are a pure function of that edge's
+/// nodes and the level, so both its tiles find the same. Top-down insertion of the worst node
+/// (Douglas & Peucker 1973) on heights rounded to the level's lattice S and on decoded positions,
+/// until every node of the edge is within the max error; the nodes of the curvature grid always
+/// belong to it. A pole's edge has the curvature grid only.
+void makeBorder(const HeightTile& tile, const TileFrame& frame, const LevelParams& level,
+                Border& border);
+
+}  // namespace qmesh

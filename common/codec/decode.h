@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the qmesh authors
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "base/status.h"
+#include "codec/tile_mesh.h"
+
+namespace qmesh {
+
+/// Reads the bytes of a .terrain file (not compressed). Never reads outside [data, data + size),
+/// never allocates by a count that the bytes left could not hold, never yields an index out of
+/// range. Unknown extensions are passed over. Code::input with one sentence on the first fault.
+Result<TileMesh> decodeTile(const std::uint8_t* data, std::size_t size);
+
+}  // namespace qmesh
