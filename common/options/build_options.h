@@ -8,21 +8,19 @@
 #include <string>
 #include <vector>
 
+#include "options/choices.h"
+
 namespace qmesh {
 
-enum class ProfileChoice { geodetic, mercator };
-enum class Resampling { nearest, bilinear, cubic, cubicspline, lanczos, average };
-enum class OverviewResampling { nearest, average, cubic };
-enum class Compression { gzip, none };
-enum class Preview { none, cesium, all };
-enum class VoidFill { value, interpolate };
+/// The deepest zoom an option takes: tiling's kMaxZoom, which this folder may not include.
+inline constexpr int kDeepestZoom = 24;
 
 /// Everything a user can say about a run. Defaults are the initialisers; the rows of
 /// options/option_table.cpp name each field once and feed the command line, the help, the JSON and
 /// the reference pages.
 struct BuildOptions {
   std::string input;
-  std::string output;  ///< empty: the input's base name in the current folder
+  std::string output; ///< empty: the input's base name in the current folder
 
   // Reading
   std::string sourceSrs;                       ///< -s; empty: the input's own
@@ -37,44 +35,45 @@ struct BuildOptions {
   OverviewResampling overviewResampling = OverviewResampling::average;
 
   // Heights
-  bool bathymetry = false;                     ///< depths positive down
-  std::optional<double> clipLow, clipHigh;     ///< metres
-  double scaleAbove = 1, scaleBelow = 1;       ///< above / below sea level
+  bool bathymetry = false;                 ///< depths positive down
+  std::optional<double> clipLow, clipHigh; ///< metres
+  double scaleAbove = 1, scaleBelow = 1;   ///< above / below sea level
   VoidFill voidFill = VoidFill::value;
-  double voidValue = 0;                        ///< metres
+  double voidValue = 0; ///< metres
 
   // Tiling
   ProfileChoice profile = ProfileChoice::geodetic;
-  std::optional<int> minZoom, maxZoom;         ///< unset: 0 and native
-  std::optional<std::int64_t> minX, maxX, minY, maxY;  ///< tiles at the maximum zoom
-  int tileSize = 256;                          ///< cells per edge
-  bool excludeVoid = false;                    ///< -x
+  std::optional<int> minZoom, maxZoom;                ///< unset: 0 and native
+  std::optional<std::int64_t> minX, maxX, minY, maxY; ///< tiles at the maximum zoom
+  int tileSize = 256;                                 ///< cells per edge
+  bool excludeVoid = false;                           ///< -x
 
   // Meshes
   std::string method = "greedy";
-  std::string maxError;                        ///< SPEC; empty: from screenError
-  std::string screenError = "0.5";             ///< SPEC, pixels
+  std::string maxError;            ///< SPEC; empty: from screenError
+  std::string screenError = "0.5"; ///< SPEC, pixels
   bool decimate = true;
   bool normals = true;
-  int metadata = 0;                            ///< 0: no metadata extension
+  int metadata = 0; ///< 0: no metadata extension
 
   // Output
   bool xyz = false;
   Compression compression = Compression::gzip;
   bool overwrite = false;
   Preview preview = Preview::none;
-  std::string cesium;                          ///< --cesium DIR
+  std::string cesium; ///< --cesium DIR
   std::string title;
   std::string copyright;
-  std::string report;                          ///< JSON file
+  std::string report; ///< JSON file
 
   // Running
-  int threads = 0;                             ///< 0: ALL_CPUS
+  std::string configFile; ///< already read when a parser returns
+  int threads = 0;        ///< 0: ALL_CPUS
   std::uint64_t memoryBytes = 512ull << 20;
-  int blockTiles = 0;                          ///< 0: by memory and threads; else 2, 4, 8
+  int blockTiles = 0; ///< 0: by memory and threads; else 2, 4, 8
   bool dryRun = false;
   bool quiet = false;
   bool verbose = false;
 };
 
-}  // namespace qmesh
+} // namespace qmesh
