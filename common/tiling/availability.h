@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "tiling/scheme.h"
@@ -53,11 +54,16 @@ class Availability {
     std::uint32_t last;
   };
   using Row = std::vector<Run>;  ///< sorted, disjoint, not touching
+  using NumberedRow = std::pair<std::uint32_t, Row>;
   struct Level {
-    std::vector<std::pair<std::uint32_t, Row>> rows;  ///< sorted by y
+    std::vector<NumberedRow> rows;  ///< sorted by y
   };
+  static bool isBelow(const NumberedRow& row, std::uint32_t y);
+  static bool endsBefore(const Run& run, std::uint32_t x);
   Row& rowAt(int zoom, std::uint32_t y);
   const Row* findRow(int zoom, std::uint32_t y) const;
+  /// The rectangles of a level, cut to a window.
+  std::vector<TileRange> rangesWithin(int zoom, const TileRange& window) const;
 
   std::vector<Level> levels_;
 };
