@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the qmesh authors
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/enum_table.h"
+#include "base/status.h"
+#include "options/build_options.h"
+
+namespace qmesh {
+
+/// Where the help shows an option; the order is that of the help.
+enum class OptionGroup { arguments, input, heights, tiling, meshes, output, running, information };
+
+/// What a value looks like, for programs that draw a form.
+enum class OptionType {
+  flag,
+  integer,
+  number,
+  text,
+  choice,
+  spec,
+  zooms,
+  memory,
+  threads,
+  srs,
+  extent,
+  file,
+  folder,
+  keyValue,
+};
+
+/// What a command line asks for.
+enum class Request { build, help, version, optionsJson };
+
+template <> struct EnumTable<OptionGroup> {
+  static constexpr EnumRow<OptionGroup> kRows[] = {
+      {OptionGroup::arguments, "Arguments", "what is read and where the terrain goes"},
+      {OptionGroup::input, "Input", "how the DEM is read"},
+      {OptionGroup::heights, "Heights", "what is done to the heights"},
+      {OptionGroup::tiling, "Tiling", "which tiles are made and how nodes get their heights"},
+      {OptionGroup::meshes, "Meshes", "how a tile's triangles are chosen"},
+      {OptionGroup::output, "Output", "what is written"},
+      {OptionGroup::running, "Running", "how the work is done; the tiles do not depend on it"},
+      {OptionGroup::information, "Information", "what is printed instead of a run"},
+  };
+};
+
+template <> struct EnumTable<OptionType> {
+  static constexpr EnumRow<OptionType> kRows[] = {
+      {OptionType::flag, "flag", "on or off; no value on a command line"},
+      {OptionType::integer, "integer", "whole number"},
+      {OptionType::number, "number", "decimal number"},
+      {OptionType::text, "text", "any text"},
+      {OptionType::choice, "choice", "one of the choices"},
+      {OptionType::spec, "spec", "number that may differ per zoom"},
+      {OptionType::zooms, "zooms", "MIN-MAX, MIN- or N"},
+      {OptionType::memory, "memory", "512MB, 2GB, 40% or bytes"},
+      {OptionType::threads, "threads", "whole number or ALL_CPUS"},
+      {OptionType::srs, "srs", "EPSG:N, WKT or PROJ text"},
+      {OptionType::extent, "extent", "XMIN YMIN XMAX YMAX"},
+      {OptionType::file, "file", "path of a file"},
+      {OptionType::folder, "folder", "path of a folder"},
+      {OptionType::keyValue, "keyvalue", "KEY=VALUE"},
+  };
+};
+
+/// All there is to know about one option: it feeds the parser, the help, the JSON, and the forms
+/// and pages made from them.
+struct OptionRow {
+  std::string name;                 ///< long name without dashes; '_' and '-' read alike
+  char letter = 0;                  ///< 0: none
+  std::vector<std::string> aliases; ///< other long names
+  OptionGroup group = OptionGroup::arguments;
+  OptionType type = OptionType::flag;
+  std::string placeholder;          ///< of the value in the help; empty for a flag
+  std::string unit;                 ///< of a number; empty: none
+  std::optional<double> minimum;    ///< of a number, inclusive
+  std::optional<double> maximum;    ///< of a number, inclusive
+  std::vector<Choice> choices;      ///< of a choice
+  std::string help;                 ///< what it does, one or two sentences
+  std::string whenUnset;            ///< said for the default where the field is empty
+  std::string refusal;              ///< added to the message about a bad value; may be empty
+  std::string ignored;              ///< why it has no effect; empty: it has one
+  int values = 1;                   ///< words it takes on a command line, 0 for a flag
+  int position = 0;                 ///< 1, 2: an argument without a name; 0: an option
+  bool advanced = false;            ///< few users need it
+  bool repeatable = false;          ///< each use adds a value
+  bool commandLineOnly = false;     ///< means nothing in a file or a form
+  Request request = Request::build; ///< of the rows that ask for something else than a build
+
+  /// Reads a value into its field; a flag takes "on", "off" and their aliases. On a fault the
+  /// status says what was expected, without naming option and value: the caller knows them.
+  std::function<Status(BuildOptions&, const std::string&)> set;
+  /// The field as text that set() reads; empty where the field is.
+  std::function<std::string(const BuildOptions&)> get;
+
+  /// The default as text: the field of default-constructed options.
+  std::string defaultText() const { return get(BuildOptions()); }
+  /// The name of a GDAL creation option: MAX_ERROR for max-error.
+  std::string creationOption() const;
+};
+
+} // namespace qmesh

@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the qmesh authors
+#include "options/row_builder.h"
+
+#include "base/text.h"
+#include "options/level_spec.h"
+
+namespace qmesh {
+
+Status expected(const std::string& what) {
+  return Status(Code::usage, "expected " + what);
+}
+
+std::string namesOf(const std::vector<Choice>& choices) {
+  std::string names;
+  for (std::size_t i = 0; i < choices.size(); ++i) {
+    if (i > 0)
+      names += i + 1 == choices.size() ? " or " : ", ";
+    names += choices[i].name;
+  }
+  return names;
+}
+
+Result<std::int64_t> parseIntegerIn(const std::string& text, std::int64_t minimum,
+                                    std::int64_t maximum) {
+  const std::optional<std::int64_t> value = parseInteger(text);
+  if (value && *value >= minimum && *value <= maximum)
+    return *value;
+  const std::string least = std::to_string(minimum);
+  return maximum == std::numeric_limits<std::int64_t>::max()
+             ? expected("a whole number, " + least + " or more")
+             : expected("a whole number from " + least + " to " + std::to_string(maximum));
+}
+
+Result<double> parseNumberIn(const std::string& text, double minimum, double maximum) {
+  const std::optional<double> value = parseNumber(text);
+  if (value && *value >= minimum && *value <= maximum)
+    return *value;
+  return expected("a number from " + formatNumber(minimum) + " to " + formatNumber(maximum));
+}
+
+namespace {
+
+Status setSwitch(bool& field, const std::string& text) {
+  const std::optional<Switch> value = enumValue<Switch>(text);
+  if (!value)
+    return expected(namesOf(enumChoices<Switch>()));
+  field = *value == Switch::on;
+  return {};
+}
+
+std::string switchText(bool on) {
+  return enumName(on ? Switch::on : Switch::off);
+}
+
+Status checkKeyValue(const std::string& text) {
+  const std::size_t equals = text.find('=');
+  if (equals == std::string::npos || equals == 0)
+    return expected("KEY=VALUE");
+  return {};
+}
+
+Status checkNotEmpty(const std::string& text) {
+  return text.empty() ? expected("a value that is not empty") : Status();
+}
+
+} // namespace
+
+RowBuilder::RowBuilder(OptionGroup group, std::string name, char letter) {
+  row_.group = group;
+  row_.name = std::move(name);
+  row_.letter = letter;
+}
+
+RowBuilder& RowBuilder::alias(std::string name) {
+  row_.aliases.push_back(std::move(name));
+  return *this;
+}
+
+RowBuilder& RowBuilder::value(std::string placeholder) {
+  row_.placeholder = std::move(placeholder);
+  return *this;
+}
+
+RowBuilder& RowBuilder::unit(std::string unit) {
+  row_.unit = std::move(unit);
+  return *this;
+}
+
+RowBuilder& RowBuilder::help(std::string sentence) {
+  row_.help = std::move(sentence);
+  return *this;
+}
+
+RowBuilder& RowBuilder::whenUnset(std::string text) {
+  row_.whenUnset = std::move(text);
+  return *this;
+}
+
+RowBuilder& RowBuilder::refusal(std::string text) {
+  row_.refusal = std::move(text);
+  return *this;
+}
+
+RowBuilder& RowBuilder::position(int n) {
+  row_.position = n;
+  return *this;
+}
+
+RowBuilder& RowBuilder::advanced() {
+  row_.advanced = true;
+  return *this;
+}
+
+RowBuilder& RowBuilder::words(int n) {
+  row_.values = n;
+  return *this;
+}
+
+RowBuilder& RowBuilder::powersOfTwo(int first, int last) {
+  row_.minimum = first;
+  row_.maximum = last;
+  for (int n = first; n <= last; n *= 2)
+    row_.choices.push_back({std::to_string(n), ""});
+  return *this;
+}
+
+RowBuilder& RowBuilder::commandLineOnly() {
+  row_.commandLineOnly = true;
+  return *this;
+}
+
+RowBuilder& RowBuilder::custom(OptionType type, decltype(OptionRow::set) set,
+                               decltype(OptionRow::get) get) {
+  row_.type = type;
+  row_.set = std::move(set);
+  row_.get = std::move(get);
+  return *this;
+}
+
+RowBuilder& RowBuilder::flag(bool BuildOptions::*field) {
+  row_.values = 0;
+  return custom(
+      OptionType::flag,
+      [=](BuildOptions& options, const std::string& text) {
+        return setSwitch(options.*field, text);
+      },
+      [=](const BuildOptions& options) { return switchText(options.*field); });
+}
+
+RowBuilder& RowBuilder::onOff(bool BuildOptions::*field) {
+  flag(field);
+  row_.values = 1;
+  row_.type = OptionType::choice;
+  row_.choices = enumChoices<Switch>();
+  return *this;
+}
+
+RowBuilder& RowBuilder::text(std::string BuildOptions::*field, OptionType type, bool mayBeEmpty) {
+  return custom(
+      type,
+      [=](BuildOptions& options, const std::string& text) -> Status {
+        if (!mayBeEmpty)
+          QMESH_RETURN_IF_ERROR(checkNotEmpty(text));
+        options.*field = text;
+        return {};
+      },
+      [=](const BuildOptions& options) { return options.*field; });
+}
+
+RowBuilder& RowBuilder::spec(std::string BuildOptions::*field) {
+  return custom(
+      OptionType::spec,
+      [=](BuildOptions& options, const std::string& text) -> Status {
+        const Result<LevelSpec> spec = LevelSpec::parse(text);
+        if (!spec.ok())
+          return spec.status();
+        options.*field = text;
+        return {};
+      },
+      [=](const BuildOptions& options) { return options.*field; });
+}
+
+RowBuilder& RowBuilder::choice(std::string BuildOptions::*field, std::vector<Choice> choices) {
+  row_.choices = std::move(choices);
+  return custom(
+      OptionType::choice,
+      [field, known = row_.choices](BuildOptions& options, const std::string& text) -> Status {
+        for (const Choice& choice : known) {
+          if (!equalIgnoringCase(choice.name, text))
+            continue;
+          options.*field = choice.name;
+          return {};
+        }
+        return expected(namesOf(known));
+      },
+      [=](const BuildOptions& options) { return options.*field; });
+}
+
+RowBuilder& RowBuilder::list(std::vector<std::string> BuildOptions::*field, OptionType type) {
+  row_.repeatable = true;
+  return custom(
+      type,
+      [=](BuildOptions& options, const std::string& text) -> Status {
+        QMESH_RETURN_IF_ERROR(type == OptionType::keyValue ? checkKeyValue(text)
+                                                           : checkNotEmpty(text));
+        (options.*field).push_back(text);
+        return {};
+      },
+      [=](const BuildOptions& options) { return join(options.*field, ", "); });
+}
+
+RowBuilder& RowBuilder::noEffect(std::string why, int values) {
+  row_.ignored = std::move(why);
+  row_.values = values;
+  return custom(
+      values == 0 ? OptionType::flag : OptionType::text,
+      [](BuildOptions&, const std::string&) { return Status(); },
+      [](const BuildOptions&) { return std::string(); });
+}
+
+RowBuilder& RowBuilder::request(Request request) {
+  noEffect("");
+  row_.request = request;
+  return commandLineOnly();
+}
+
+} // namespace qmesh

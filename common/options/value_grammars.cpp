@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the qmesh authors
+#include "options/value_grammars.h"
+
+#include <array>
+#include <cmath>
+
+#include "base/machine.h"
+#include "options/row_builder.h"
+
+namespace qmesh {
+
+namespace {
+
+constexpr const char* kAllCpus = "ALL_CPUS";
+constexpr const char* kAutomatic = "auto";
+constexpr std::array<char, 4> kMemoryUnits = {'K', 'M', 'G', 'T'};
+
+/// The largest budget taken, so that bytes fit every integer type used later.
+constexpr double kMostMemory = 1ull << 60;
+
+/// A zoom, -1 where `text` is none.
+int zoomOf(std::string_view text) {
+  const Result<std::int64_t> zoom = parseIntegerIn(std::string(text), 0, kDeepestZoom);
+  return zoom.ok() ? static_cast<int>(*zoom) : -1;
+}
+
+/// Takes "K", "KB" or "KiB" (M, G, T alike) or "B" off the end of `text`; returns the factor.
+double takeMemoryUnit(std::string_view& text) {
+  const auto endsWith = [&](std::string_view unit) {
+    return text.size() >= unit.size() &&
+           equalIgnoringCase(text.substr(text.size() - unit.size()), unit);
+  };
+  double factor = 1;
+  for (const char letter : kMemoryUnits) {
+    factor *= 1024;
+    for (const char* tail : {"", "B", "iB"}) {
+      const std::string unit = letter + std::string(tail);
+      if (!endsWith(unit))
+        continue;
+      text = trimmed(text.substr(0, text.size() - unit.size()));
+      return factor;
+    }
+  }
+  if (endsWith("B"))
+    text = trimmed(text.substr(0, text.size() - 1));
+  return 1;
+}
+
+} // namespace
+
+Status setZooms(BuildOptions& options, const std::string& text) {
+  const std::size_t dash = text.find('-');
+  const std::string_view whole = text;
+  const int first = zoomOf(trimmed(whole.substr(0, dash)));
+  const std::string_view rest =
+      dash == std::string::npos ? whole.substr(0, dash) : whole.substr(dash + 1);
+  const bool open = dash != std::string::npos && trimmed(rest).empty();
+  const int last = open ? kDeepestZoom : zoomOf(trimmed(rest));
+  if (first < 0 || last < 0)
+    return expected("MIN-MAX, MIN- or N, zooms from 0 to " + std::to_string(kDeepestZoom));
+  if (first > last)
+    return expected("the smaller zoom first");
+  options.minZoom = first;
+  options.maxZoom = open ? std::nullopt : std::optional<int>(last);
+  return {};
+}
+
+std::string zoomsText(const BuildOptions& options) {
+  if (!options.minZoom && !options.maxZoom)
+    return {};
+  return fieldText(options.minZoom.value_or(0)) + "-" + fieldText(options.maxZoom);
+}
+
+Status setMemory(BuildOptions& options, const std::string& text) {
+  std::string_view number = trimmed(text);
+  const bool percent = !number.empty() && number.back() == '%';
+  if (percent)
+    number = trimmed(number.substr(0, number.size() - 1));
+  const double factor =
+      percent ? static_cast<double>(machineMemoryBytes()) / 100 : takeMemoryUnit(number);
+  const std::optional<double> value = parseNumber(number);
+  const double bytes = value.value_or(0) * factor;
+  if (percent && factor == 0)
+    return expected("bytes: this machine does not say how much memory it has");
+  if (!(bytes >= 1 && bytes <= kMostMemory) || (percent && *value > 100))
+    return expected("512MB, 2GB, 40% or a number of bytes");
+  options.memoryBytes = static_cast<std::uint64_t>(bytes);
+  return {};
+}
+
+std::string memoryText(const BuildOptions& options) {
+  std::uint64_t number = options.memoryBytes;
+  std::string unit;
+  for (const char letter : kMemoryUnits) {
+    if (number == 0 || number % 1024 != 0)
+      break;
+    number /= 1024;
+    unit = std::string(1, letter) + "B";
+  }
+  return std::to_string(number) + unit;
+}
+
+Status setThreads(BuildOptions& options, const std::string& text) {
+  constexpr int kMostThreads = 1024;
+  const Result<std::int64_t> number = parseIntegerIn(text, 1, kMostThreads);
+  if (!number.ok() && !equalIgnoringCase(text, kAllCpus))
+    return Status(Code::usage, number.status().message() + ", or " + kAllCpus);
+  options.threads = number.ok() ? static_cast<int>(*number) : 0;
+  return {};
+}
+
+std::string threadsText(const BuildOptions& options) {
+  return options.threads == 0 ? kAllCpus : fieldText(options.threads);
+}
+
+Status setExtent(BuildOptions& options, const std::string& text) {
+  std::string blanks = text;
+  for (char& c : blanks)
+    if (c == ',')
+      c = ' ';
+  std::array<double, 4> extent{};
+  std::size_t count = 0;
+  for (const std::string_view piece : split(blanks, ' ')) {
+    if (trimmed(piece).empty())
+      continue;
+    const std::optional<double> number = parseNumber(trimmed(piece));
+    if (!number || !std::isfinite(*number) || count == extent.size())
+      return expected("four numbers: XMIN YMIN XMAX YMAX");
+    extent[count++] = *number;
+  }
+  if (count != extent.size())
+    return expected("four numbers: XMIN YMIN XMAX YMAX");
+  if (!(extent[0] < extent[2] && extent[1] < extent[3]))
+    return expected("XMIN below XMAX and YMIN below YMAX");
+  options.extent = extent;
+  return {};
+}
+
+std::string extentText(const BuildOptions& options) {
+  std::vector<std::string> numbers;
+  if (options.extent)
+    for (const double number : *options.extent)
+      numbers.push_back(formatNumber(number));
+  return join(numbers, " ");
+}
+
+Status setVoidFill(BuildOptions& options, const std::string& text) {
+  const std::string interpolate = enumName(VoidFill::interpolate);
+  if (equalIgnoringCase(text, interpolate)) {
+    options.voidFill = VoidFill::interpolate;
+    return {};
+  }
+  const Result<double> height = parseNumberIn(text, kLowestHeight, kHighestHeight);
+  if (!height.ok())
+    return Status(Code::usage, height.status().message() + ", or " + interpolate);
+  options.voidFill = VoidFill::value;
+  options.voidValue = *height;
+  return {};
+}
+
+std::string voidFillText(const BuildOptions& options) {
+  return options.voidFill == VoidFill::interpolate ? enumName(options.voidFill)
+                                                   : formatNumber(options.voidValue);
+}
+
+Status setTileSize(BuildOptions& options, const std::string& text) {
+  const Result<std::int64_t> size = parseIntegerIn(text, kSmallestTile, kLargestTile);
+  if (!size.ok() || (*size & (*size - 1)) != 0)
+    return expected("a power of two from " + std::to_string(kSmallestTile) + " to " +
+                    std::to_string(kLargestTile));
+  options.tileSize = static_cast<int>(*size);
+  return {};
+}
+
+std::string tileSizeText(const BuildOptions& options) {
+  return fieldText(options.tileSize);
+}
+
+Status setBlockTiles(BuildOptions& options, const std::string& text) {
+  if (equalIgnoringCase(text, kAutomatic)) {
+    options.blockTiles = 0;
+    return {};
+  }
+  const std::optional<std::int64_t> tiles = parseInteger(text);
+  if (!tiles || (*tiles != 2 && *tiles != 4 && *tiles != 8))
+    return expected("auto, 2, 4 or 8");
+  options.blockTiles = static_cast<int>(*tiles);
+  return {};
+}
+
+std::string blockTilesText(const BuildOptions& options) {
+  return options.blockTiles == 0 ? kAutomatic : fieldText(options.blockTiles);
+}
+
+Status setNodata(BuildOptions& options, const std::string& text) {
+  const std::optional<double> value = parseNumber(text);
+  if (!value)
+    return expected("a number or nan");
+  options.sourceNodata = *value;
+  return {};
+}
+
+std::string nodataText(const BuildOptions& options) {
+  return fieldText(options.sourceNodata);
+}
+
+} // namespace qmesh
