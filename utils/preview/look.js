@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the qmesh authors
+//
+// How the preview page shows a set: where its data is, its colours, its light. Loaded before preview.js and
+// used once CesiumJS is there.
+"use strict";
+const terrainLook = (() => {
+  // Colours from the lowest to the highest place; sea and land meet at 0 m.
+  const SEA = ["#16324a", "#2b5a78", "#5f93a8", "#a9c8cb"];
+  const LAND = ["#7f9c76", "#b3b886", "#d3bf8f", "#b8926a", "#a58573", "#d9d3cd", "#f7f6f4"];
+
+  function formatHeight(height, digits) {
+    return height.toLocaleString("en", { minimumFractionDigits: digits, maximumFractionDigits: digits })
+      .replaceAll(",", "\u202f").replace("-", "\u2212");
+  }
+
+  // ---- Where the data is ----------------------------------------------------------------------
+
+  /** The layer's bounds; across the antimeridian east is less than west, as Cesium.Rectangle has it. */
+  function boundsOf(layer) {
+    const [west, south, east, north] = layer.bounds ?? [-180, -90, 180, 90];
+    if (east - west >= 360) return Cesium.Rectangle.fromDegrees(-180, south, 180, north);
+    const wrap = (lon) => (lon > 180 ? lon - 360 : lon < -180 ? lon + 360 : lon);
+    return Cesium.Rectangle.fromDegrees(wrap(west), south, wrap(east), north);
+  }
+
+  /** The deepest level at which few tiles cover the bounds. */
+  function overviewLevel(provider, bounds, maxLevel) {
+    const mostTiles = 32;
+    const root = provider.tilingScheme.tileXYToRectangle(0, 0, 0);
+    let level = 0;
+    while (level < maxLevel) {
+      const tiles = (bounds.width / root.width) * (bounds.height / root.height) * 4 ** (level + 1);
+      if (tiles > mostTiles) break;
+      ++level;
+    }
+    return level;
+  }
+
+  /** Heights that 1 % of the area is below and 99.5 % is below, in metres. */
+  async function heightRange(provider, bounds, maxLevel) {
+    const steps = 40;
+    const places = [];
+    for (let row = 0; row < steps; ++row) {
+      for (let column = 0; column < steps; ++column) {
+        const latitude = bounds.south + (bounds.height * (row + 0.5)) / steps;
+        const longitude = Cesium.Math.convertLongitudeRange(
+          bounds.west + (bounds.width * (column + 0.5)) / steps);
+        places.push(new Cesium.Cartographic(longitude, latitude));
+      }
+    }
+    const level = overviewLevel(provider, bounds, maxLevel);
+    await Cesium.sampleTerrain(provider, level, places);
+    const heights = places.map((place) => place.height).filter(Number.isFinite).sort((a, b) => a - b);
+    if (heights.length === 0) return [0, 1];
+    const low = heights[Math.floor(0.01 * (heights.length - 1))];
+    const high = heights[Math.floor(0.995 * (heights.length - 1))];
+    return [low, Math.max(high, low + 1)];
+  }
+
+  function lookAt(viewer, bounds, middleHeight) {
+    if (bounds.width > Cesium.Math.toRadians(120) || bounds.height > Cesium.Math.toRadians(100)) {
+      const whole = bounds.width > Cesium.Math.toRadians(300);
+      const centre = Cesium.Rectangle.center(bounds);
+      viewer.camera.setView({ destination: Cesium.Cartesian3.fromRadians(
+        whole ? 0 : centre.longitude, whole ? 0.35 : centre.latitude, 1.8e7) });
+      return;
+    }
+    const sphere = Cesium.BoundingSphere.fromRectangle3D(bounds, Cesium.Ellipsoid.WGS84, middleHeight);
+    const { clientWidth, clientHeight } = viewer.canvas;
+    const narrow = Math.max(1, clientHeight / clientWidth);
+    viewer.camera.flyToBoundingSphere(sphere, {
+      duration: 0,
+      offset: new Cesium.HeadingPitchRange(0, Cesium.Math.toRadians(-48), sphere.radius * 2.5 * narrow),
+    });
+  }
+
+  // ---- Colours and light ----------------------------------------------------------------------
+
+  function paint(context, from, to, colours, height) {
+    const gradient = context.createLinearGradient(from, 0, to, 0);
+    colours.forEach((colour, at) => gradient.addColorStop(at / (colours.length - 1), colour));
+    context.fillStyle = gradient;
+    context.fillRect(from, 0, to - from, height);
+  }
+
+  /** Left half: the sea from its deepest place up to 0 m. Right half: the land. */
+  function colourRamp() {
+    const canvas = Object.assign(document.createElement("canvas"), { width: 512, height: 1 });
+    const context = canvas.getContext("2d");
+    paint(context, 0, 256, SEA, 1);
+    paint(context, 256, 512, LAND, 1);
+    return canvas;
+  }
+
+  /** Colour by height, and tile borders: texture coordinates run from 0 to 1 over each tile drawn. */
+  function terrainMaterial([low, high]) {
+    return new Cesium.Material({ fabric: {
+      uniforms: {
+        ramp: colourRamp(), deepest: Math.min(low, -0.1 * (high - low)), lowest: Math.max(low, 0),
+        highest: Math.max(high, 1), exaggeration: 1,
+        borders: 0,
+      },
+      source: `
+        czm_material czm_getMaterial(czm_materialInput materialInput) {
+          czm_material material = czm_getDefaultMaterial(materialInput);
+          float height = materialInput.height / exaggeration;
+          float half_texel = 0.5 / 512.0;
+          float sea = clamp(1.0 - height / deepest, 0.0, 1.0) * 0.5;
+          float land = clamp((height - lowest) / (highest - lowest), 0.0, 1.0) * 0.5 + 0.5;
+          float at = height < 0.0 ? clamp(sea, half_texel, 0.5 - half_texel)
+                                  : clamp(land, 0.5 + half_texel, 1.0 - half_texel);
+          material.diffuse = texture(ramp, vec2(at, 0.5)).rgb;
+          vec2 pixel = fwidth(materialInput.st);
+          vec2 rim = min(materialInput.st, 1.0 - materialInput.st) / max(pixel, vec2(1e-6));
+          float line = 1.0 - smoothstep(0.5, 1.3, min(rim.x, rim.y));
+          material.diffuse = mix(material.diffuse, vec3(0.75, 0.12, 0.05), line * borders);
+          material.alpha = 1.0;
+          return material;
+        }`,
+    } });
+  }
+
+  function showLegend([low, high]) {
+    const canvas = document.querySelector("#legend canvas");
+    const context = canvas.getContext("2d");
+    const ticks = [low, high];
+    const shore = low < 0 && high > 0 ? (-low / (high - low)) * canvas.width : low < 0 ? canvas.width : 0;
+    if (shore > 0) paint(context, 0, shore, SEA, canvas.height);
+    if (shore < canvas.width) paint(context, shore, canvas.width, LAND, canvas.height);
+    if (shore > 0.15 * canvas.width && shore < 0.85 * canvas.width) ticks.splice(1, 0, 0);
+    document.getElementById("ticks").replaceChildren(...ticks.map((height) => {
+      const tick = document.createElement("span");
+      tick.textContent = formatHeight(height, 0);
+      if (height === 0 && ticks.length === 3) {
+        Object.assign(tick.style, { position: "absolute", left: `${(100 * shore) / canvas.width}%`,
+          transform: "translateX(-50%)" });
+      }
+      return tick;
+    }));
+    document.getElementById("legend").hidden = false;
+  }
+
+  /** The light comes from the upper left of the screen, lower when the camera is near the ground. */
+  function lightFromUpperLeft(viewer) {
+    const { camera } = viewer;
+    const frame = new Cesium.Matrix4();
+    const local = new Cesium.Cartesian3();
+    const light = new Cesium.DirectionalLight({ direction: new Cesium.Cartesian3(0, 0, -1), intensity: 1 });
+    viewer.scene.light = light;
+    viewer.scene.preUpdate.addEventListener(() => {
+      const far = Cesium.Math.clamp(Math.log10(camera.positionCartographic.height / 2e5), 0, 1.5) / 1.5;
+      const altitude = Cesium.Math.toRadians(Cesium.Math.lerp(42, 62, far));
+      // From above, heading alone says where the top of the screen is.
+      const azimuth = camera.heading - Cesium.Math.toRadians(45);
+      local.x = -Math.sin(azimuth) * Math.cos(altitude);
+      local.y = -Math.cos(azimuth) * Math.cos(altitude);
+      local.z = -Math.sin(altitude);
+      Cesium.Transforms.eastNorthUpToFixedFrame(camera.positionWC, Cesium.Ellipsoid.WGS84, frame);
+      Cesium.Matrix4.multiplyByPointAsVector(frame, local, light.direction);
+    });
+  }
+
+  return { boundsOf, formatHeight, heightRange, lightFromUpperLeft, lookAt, showLegend, terrainMaterial };
+})();
