@@ -1,0 +1,64 @@
+# SPDX-License-Identifier: MIT
+# Copyright (c) 2026 the qmesh authors
+"""Fixtures of the outside tests: the command as a real process on real files.
+
+QMESH_BIN        the command (default build/bin/gdal2qmesh of this tree)
+QMESH_TEST_DATA  folder with the real DEMs (default ../shared/data beside this tree; a skip is said aloud)
+QMESH_FULL       1: the whole matrix of DEMs and profiles, the large DEMs uncut
+"""
+
+import pathlib
+import sys
+
+import pytest
+
+_HERE = pathlib.Path(__file__).resolve().parent
+for folder in (_HERE, _HERE.parent, _HERE.parent / "tools"):
+    sys.path.insert(0, str(folder))
+
+import dems as dem_table  # noqa: E402
+import harness  # noqa: E402
+from oracle.tileset import TileSet  # noqa: E402
+
+_skipped_data = []
+
+
+@pytest.fixture(scope="session")
+def dem(tmp_path_factory):
+    """A function name -> path of that DEM, made once; skips where a real DEM is not there."""
+    folder = tmp_path_factory.mktemp("dems")
+    made = {}
+
+    def get(name):
+        if name not in made:
+            made[name] = dem_table.DEMS[name](folder / f"{name}.tif")
+        if made[name] is None:
+            _skipped_data.append(name)
+            pytest.skip(f"no real DEM {name}: set QMESH_TEST_DATA to the folder that holds it")
+        return made[name]
+
+    return get
+
+
+@pytest.fixture(scope="session")
+def tile_set(tmp_path_factory, dem):
+    """A function (DEM name, options...) -> TileSet, built once per session."""
+    folder = tmp_path_factory.mktemp("sets")
+    built = {}
+
+    def get(name, *options):
+        key = (name, *map(str, options))
+        if key not in built:
+            output = folder / f"{len(built)}-{name}"
+            harness.gdal2qmesh(*options, dem(name), output).succeeded()
+            built[key] = TileSet(output)
+        return built[key]
+
+    return get
+
+
+def pytest_terminal_summary(terminalreporter):
+    if _skipped_data:
+        terminalreporter.write_line(
+            "Real DEMs not found in " + str(harness.DATA) + ": " + ", ".join(sorted(set(_skipped_data)))
+        )

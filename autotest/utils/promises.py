@@ -1,0 +1,100 @@
+# SPDX-License-Identifier: MIT
+# Copyright (c) 2026 the qmesh authors
+"""Checks of a whole set against the promises; each returns faults, empty when all is well."""
+
+import functools
+
+import numpy as np
+
+from oracle import tin, validity
+from oracle.nodes import Nodes, Source
+from oracle.scheme import QUANTIZED_MAX, node_u
+from oracle.tileset import seam_faults
+
+FLOAT_SLACK = 1e-3  # metres: heights are float32 on the way
+
+
+def valid(tiles):
+    """P6: every tile of the set."""
+    faults = []
+    for name in sorted(tiles.available()):
+        tile, box = tiles.tile(*name), tiles.scheme.box(*name)
+        found = validity.mesh_faults(tile)
+        found += validity.header_faults(tile, box) + validity.horizon_faults(tile, box, viewers=12)
+        faults += [f"{'/'.join(map(str, name))}: {fault}" for fault in found]
+    return faults
+
+
+def seamless(tiles):
+    """P1: (faults, seams compared), all levels."""
+    faults, seams = [], 0
+    for z in tiles.levels():
+        found, count = seam_faults(tiles, z)
+        faults += found
+        seams += count
+    return faults, seams
+
+
+def level_errors(tiles, max_error=None):
+    """Zoom -> max error the set was asked for: a function of the zoom, or the default."""
+    top = max(tiles.levels())
+    if max_error is None:
+        return {z: tiles.scheme.default_max_error(z, top) for z in tiles.levels()}
+    return {z: max_error(z) for z in tiles.levels()}
+
+
+@functools.lru_cache(maxsize=2)
+def nodes_of(path, profile, cells, max_zoom, void_fill=0.0, **options):
+    """The oracle's nodes of a DEM (kept: the same set is looked at more than once)."""
+    from oracle.scheme import Scheme
+
+    return Nodes(Source(path), Scheme(profile), cells, max_zoom, void_fill, **options)
+
+
+def bounded(tiles, nodes, max_error=None):
+    """P2: (faults, level -> largest error seen). `nodes`: the oracle's."""
+    limits = level_errors(tiles, max_error)
+    u, faults, reached = node_u(nodes.cells), [], {}
+    for z, x, y in sorted(tiles.available()):
+        tile = tiles.tile(z, x, y)
+        surface = tin.evaluate(tile, u, tiles.scheme.node_v(z, y, nodes.cells))
+        where = f"{z}/{x}/{y}"
+        if np.isnan(surface).any():
+            faults.append(f"{where}: {int(np.isnan(surface).sum())} nodes are not covered")
+            continue
+        height, tolerance, doubtful, _ = nodes.tile(z, x, y)
+        error = np.where(doubtful, 0.0, np.abs(surface - height) - tolerance)
+        reached[z] = max(reached.get(z, 0.0), float(error.max()))
+        if error.max() > limits[z] + FLOAT_SLACK:
+            j, i = np.unravel_index(int(error.argmax()), error.shape)
+            faults.append(
+                f"{where}: node ({i}, {j}) is {error[j, i]:.4f} m off ({surface[j, i]:.3f}, not "
+                f"{height[j, i]:.3f}); {limits[z]:.4f} m are allowed, "
+                f"{int((error > limits[z] + FLOAT_SLACK).sum())} nodes exceed it"
+            )
+        faults += [f"{where}: {f}" for f in _header_range_faults(tile, nodes, limits, (z, x, y))]
+    return faults, reached
+
+
+def _header_range_faults(tile, nodes, limits, name):
+    """The header's heights cover the nodes (to the tolerance) and are no wider than the height
+    lattice asks: a multiple of S below, 32767 S / n above with the largest whole n."""
+    height, tolerance, doubtful, _ = nodes.tile(*name)
+    if doubtful.any():
+        return []
+    step = nodes.scheme.lattice_step(name[0], limits[name[0]])
+    slack = float(tolerance.max()) + FLOAT_SLACK
+    low, high = float(height.min()), float(height.max())
+    if high - low > QUANTIZED_MAX * step - 2 * step:
+        return []
+    faults = []
+    if not low - step - slack <= tile.min_height <= low + slack:
+        faults.append(f"min height {tile.min_height} where the nodes' lowest is {low:.3f}, S {step}")
+    if abs(tile.min_height / step - round(tile.min_height / step)) > 1e-6:
+        faults.append(f"min height {tile.min_height} is not a multiple of S = {step}")
+    if tile.max_height < high - slack:
+        faults.append(f"max height {tile.max_height} is below the nodes' highest {high:.3f}")
+    needed = high + step + slack - tile.min_height
+    if tile.max_height - tile.min_height > max(2 * needed, 8.01):
+        faults.append(f"max height {tile.max_height} is far above the nodes' highest {high:.3f}")
+    return faults

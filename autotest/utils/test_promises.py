@@ -1,0 +1,88 @@
+# SPDX-License-Identifier: MIT
+# Copyright (c) 2026 the qmesh authors
+"""P1, P2 and P6 on whole pyramids: every DEM, all zooms 0..native, both profiles."""
+
+import pytest
+
+import dems
+import harness
+import promises
+
+QUICK_MERCATOR = {"jacksboro", "global", "void", "antimeridian", "rotated", "global_etopo", "sthelens"}
+
+MATRIX = [(name, "geodetic") for name in dems.DEMS] + [
+    (name, "mercator") for name in dems.DEMS if harness.FULL or name in QUICK_MERCATOR
+]
+matrix = pytest.mark.parametrize("name, profile", MATRIX)
+AFFINE = {"jacksboro", "global", "void", "bathymetry", "antimeridian"}
+
+
+def options(profile):
+    return ("-q", "-p", profile)
+
+
+@matrix
+def test_every_tile_is_valid(tile_set, name, profile):
+    """P6"""
+    assert promises.valid(tile_set(name, *options(profile))) == []
+
+
+@matrix
+def test_no_seam_shows(tile_set, name, profile):
+    """P1"""
+    faults, seams = promises.seamless(tile_set(name, *options(profile)))
+    assert faults == []
+    assert seams > 3
+
+
+@matrix
+def test_error_is_bounded_at_every_node(tile_set, dem, name, profile):
+    """P2, against nodes sampled by the oracle"""
+    tiles = tile_set(name, *options(profile))
+    top = max(tiles.levels())
+    nodes = promises.nodes_of(dem(name), profile, 256, top)
+    faults, reached = promises.bounded(tiles, nodes)
+    assert faults == []
+    if name in AFFINE:
+        for level in tiles.layer["qmesh"]["levels"]:
+            assert level["errorReached"] == pytest.approx(reached[level["zoom"]], abs=2e-3)
+            limit = promises.level_errors(tiles)[level["zoom"]]
+            assert level["maxError"] == pytest.approx(limit, rel=1e-9)
+
+
+@pytest.mark.parametrize("profile", ["geodetic", "mercator"])
+@pytest.mark.parametrize("cells", [8, 16, 64, 1024])
+def test_the_promises_hold_for_other_tile_sizes(tile_set, dem, cells, profile):
+    tiles = tile_set("small", *options(profile), "--tilesize", cells)
+    assert promises.valid(tiles) == []
+    assert promises.seamless(tiles)[0] == []
+    nodes = promises.nodes_of(dem("small"), profile, cells, max(tiles.levels()))
+    assert promises.bounded(tiles, nodes)[0] == []
+
+
+@pytest.mark.parametrize("name", ["antimeridian", "antimeridian_utm", "global"])
+def test_the_antimeridian_is_a_seam_like_any_other(tile_set, name):
+    """The tiles left and right of 180 degrees are there, so test_no_seam_shows compared them."""
+    tiles = tile_set(name, *options("geodetic"))
+    for z, level in tiles.levels().items():
+        last = tiles.scheme.tiles_x(z) - 1
+        rows = {y for _, x, y in level if x == 0} & {y for _, x, y in level if x == last}
+        assert rows, f"zoom {z}: no row has tiles on both sides"
+    assert len(tiles.on_disk()) < 500
+
+
+@pytest.mark.parametrize("name", ["global", "north_pole", "south_pole"])
+def test_a_pole_has_one_height_for_all_levels(tile_set, dem, name):
+    tiles = tile_set(name, *options("geodetic"))
+    top = max(tiles.levels())
+    nodes = promises.nodes_of(dem(name), "geodetic", 256, top)
+    north = name != "south_pole"
+    for z, level in tiles.levels().items():
+        row = tiles.scheme.tiles_y(z) - 1 if north else 0
+        at_pole = [t for t in level if t[2] == row]
+        assert at_pole, f"zoom {z} has no tile at the pole"
+        step = tiles.scheme.lattice_step(z, promises.level_errors(tiles)[z])
+        for t in at_pole:
+            tile = tiles.tile(*t)
+            heights = tile.heights()[tile.v == (32767 if north else 0)]
+            assert heights == pytest.approx(nodes.poles[north], abs=step / 2 + 0.05)
