@@ -39,6 +39,7 @@ struct LayerJson {
   std::string generator;
   std::string method;
   int cellsPerTile = 0;
+  GeoBox extent;            ///< of the data; east > 180 where it crosses the antimeridian
   std::vector<Level> levels;
 };
 
