@@ -25,4 +25,4 @@ inline std::uint64_t fingerprint(const void* data, std::size_t size, std::uint64
   return hash ^ (hash >> 33);
 }
 
-}  // namespace qmesh
+} // namespace qmesh

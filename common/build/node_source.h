@@ -50,4 +50,4 @@ class NodeSourceFactory {
   virtual std::size_t bytesPerSource() const = 0;
 };
 
-}  // namespace qmesh
+} // namespace qmesh

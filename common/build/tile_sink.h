@@ -29,4 +29,4 @@ class TileSink {
   virtual Result<std::string> scratchFolder() = 0;
 };
 
-}  // namespace qmesh
+} // namespace qmesh

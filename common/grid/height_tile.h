@@ -13,7 +13,8 @@ namespace qmesh {
 inline constexpr int kTileHalo = 2;
 
 /// The nodes of one tile with its halo: a view into a block's buffer, all finite (voids filled).
-/// Metres. Nodes beyond a pole or beyond the mercator square do not exist: use `firstRow`/`lastRow`.
+/// Metres. Nodes beyond a pole or beyond the mercator square do not exist: use
+/// `firstRow`/`lastRow`.
 class HeightTile {
  public:
   /// `origin` points at the south-west node (0, 0) of the tile; rows are `stride` floats apart and
@@ -46,4 +47,4 @@ class HeightTile {
   std::ptrdiff_t stride_;
 };
 
-}  // namespace qmesh
+} // namespace qmesh

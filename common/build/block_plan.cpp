@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the qmesh authors
+#include "build/block_plan.h"
+
+#include <algorithm>
+
+#include "grid/node_window.h"
+#include "grid/reduce.h"
+
+namespace qmesh {
+
+namespace {
+
+constexpr std::size_t kMiB = 1u << 20;
+constexpr int kMaxDepth = 3;                  ///< blocks of 8 x 8 tiles
+constexpr std::size_t kBaseBytes = 24 * kMiB; ///< program, libraries, tables
+constexpr std::size_t kMinCache = 8 * kMiB;
+constexpr std::size_t kMinStore = 4 * kMiB;
+constexpr std::size_t kMeshBytesPerNode = 96; ///< triangulation and encoder at their worst
+constexpr std::uint64_t kBlocksPerThread = 4;
+
+/// Blocks of the stage: ancestors of every tile it meshes.
+std::vector<TileId> blocksOf(const PyramidPlan& plan, const Stage& stage) {
+  Availability blocks;
+  for (int z = stage.finest; z >= stage.coarsest; --z) {
+    const int up = z - stage.blockZoom;
+    for (const TileRange& r : plan.support.ranges(z)) {
+      blocks.add(stage.blockZoom, {r.x0 >> up, r.y0 >> up, r.x1 >> up, r.y1 >> up});
+    }
+  }
+  std::vector<TileId> list;
+  for (const TileRange& r : blocks.ranges(stage.blockZoom)) {
+    for (std::uint32_t y = r.y0; y <= r.y1; ++y) {
+      for (std::uint32_t x = r.x0; x <= r.x1; ++x)
+        list.push_back({stage.blockZoom, x, y});
+    }
+  }
+  std::sort(list.begin(), list.end(),
+            [](const TileId& a, const TileId& b) { return a.y != b.y ? a.y > b.y : a.x < b.x; });
+  return list;
+}
+
+/// Bytes one thread takes: the windows of a block's levels, its source, its mesher.
+std::size_t bytesPerThread(const BuildOptions& options, int depth, std::size_t bytesPerSource) {
+  std::size_t bytes = bytesPerSource;
+  for (int level = 0; level <= depth; ++level) {
+    const int tiles = 1 << (depth - level);
+    const int halo = haloForLevels(options.overviewResampling, std::max(0, depth - 1 - level));
+    bytes += NodeWindow::bytes(tiles, tiles, options.tileSize, halo);
+  }
+  const std::size_t edge = std::size_t(options.tileSize) + 1;
+  const bool bridging = options.voidFill == VoidFill::interpolate;
+  return bytes + edge * edge * (kMeshBytesPerNode + (bridging ? sizeof(float) : 0));
+}
+
+std::size_t bytesNeeded(std::size_t perThread, int threads) {
+  return kBaseBytes + kMinCache + kMinStore + perThread * std::size_t(threads);
+}
+
+int depthOf(int blockTiles) {
+  int depth = 0;
+  while ((1 << depth) < blockTiles)
+    ++depth;
+  return depth;
+}
+
+/// True when blocks of this depth give every thread several.
+bool enoughBlocks(const PyramidPlan& plan, int depth, int threads) {
+  const int up = std::min(depth, plan.maxZoom);
+  std::uint64_t blocks = 0;
+  for (const TileRange& r : plan.tiles.ranges(plan.maxZoom)) {
+    blocks += TileRange{r.x0 >> up, r.y0 >> up, r.x1 >> up, r.y1 >> up}.count();
+  }
+  return threads == 1 || blocks >= kBlocksPerThread * std::uint64_t(threads);
+}
+
+} // namespace
+
+int lastZoomNeeded(const BuildOptions& options, const PyramidPlan& plan) {
+  return options.voidFill == VoidFill::interpolate ? 0 : plan.minZoom;
+}
+
+std::vector<Stage> planStages(const PyramidPlan& plan, int depth, int lastZoom) {
+  std::vector<Stage> stages;
+  for (int finest = plan.maxZoom;;) {
+    Stage stage;
+    stage.finest = finest;
+    stage.blockZoom = std::max(finest - depth, 0);
+    const bool reachesRoot = finest - depth < 0;
+    stage.coarsest = std::max(reachesRoot ? 0 : stage.blockZoom + 1, lastZoom);
+    stage.feedsNext = !reachesRoot && stage.blockZoom >= lastZoom;
+    stage.blocks = blocksOf(plan, stage);
+    stages.push_back(std::move(stage));
+    if (!stages.back().feedsNext)
+      return stages;
+    finest = stages.back().blockZoom;
+  }
+}
+
+Result<BlockPlan> planBlocks(const BuildOptions& options, const PyramidPlan& plan,
+                             std::size_t bytesPerSource, int processors) {
+  const std::size_t memory = std::size_t(options.memoryBytes);
+  const int smallest = options.blockTiles ? depthOf(options.blockTiles) : 1;
+  const int largest = options.blockTiles ? smallest : kMaxDepth;
+  const std::size_t minimum = bytesNeeded(bytesPerThread(options, smallest, bytesPerSource), 1);
+  if (memory < minimum) {
+    return Status(Code::usage, "--memory is too small: this run needs at least " +
+                                   std::to_string((minimum + kMiB - 1) / kMiB) +
+                                   "MB (less with a smaller --tilesize)");
+  }
+  for (int threads = options.threads > 0 ? options.threads : processors; threads >= 1; --threads) {
+    for (int depth = largest; depth >= smallest; --depth) {
+      const std::size_t needed =
+          bytesNeeded(bytesPerThread(options, depth, bytesPerSource), threads);
+      if (needed > memory)
+        continue;
+      if (depth > smallest && !enoughBlocks(plan, depth, threads))
+        continue;
+      BlockPlan blocks;
+      blocks.blockTiles = 1 << depth;
+      blocks.threads = threads;
+      const std::size_t spare = memory - needed;
+      blocks.cacheBytes = kMinCache + spare / 4;
+      blocks.storeBytes = kMinStore + spare / 2;
+      blocks.stages = planStages(plan, depth, lastZoomNeeded(options, plan));
+      return blocks;
+    }
+  }
+  return Status(Code::internal, "no block size fits into --memory");
+}
+
+} // namespace qmesh

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the qmesh authors
+#include "build/estimate.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "base/stopwatch.h"
+#include "build/tile_job.h"
+#include "grid/void_fill.h"
+
+namespace qmesh {
+
+namespace {
+
+constexpr std::uint64_t kTilesTried = 8; ///< a zoom
+constexpr int kZoomsTried = 3;
+
+/// The n-th tile of a level, in the order of its ranges.
+TileId nthTile(const std::vector<TileRange>& ranges, int zoom, std::uint64_t n) {
+  for (const TileRange& r : ranges) {
+    if (n < r.count()) {
+      const std::uint64_t columns = std::uint64_t(r.x1) - r.x0 + 1;
+      return {zoom, r.x0 + std::uint32_t(n % columns), r.y0 + std::uint32_t(n / columns)};
+    }
+    n -= r.count();
+  }
+  return {zoom, ranges.front().x0, ranges.front().y0};
+}
+
+/// One tile of a zoom, sampled at that zoom, made and thrown away.
+Status tryTile(const BuildOptions& options, const PyramidPlan& plan,
+               const NodeSourceFactory& source, NodeSource& nodes, TileId id, TileJob& job,
+               std::uint64_t& bytes) {
+  NodeWindow window;
+  window.reset(plan.lattice(id.z), {id.x, id.y, id.x, id.y}, kTileHalo);
+  const int first = window.firstExistingRow();
+  QMESH_RETURN_IF_ERROR(nodes.sample(window.column0(), window.row0() + first, window.width(),
+                                     window.endExistingRow() - first, window.row(first),
+                                     window.stride()));
+  window.setPoles(source.poleHeight(false), source.poleHeight(true));
+  fillVoids(window, float(options.voidValue));
+  TileResult result;
+  StepSeconds seconds{};
+  QMESH_RETURN_IF_ERROR(
+      job.run(window.tile(id), plan.levels[std::size_t(id.z)], {}, result, seconds));
+  bytes += result.bytes.size();
+  return {};
+}
+
+} // namespace
+
+std::uint64_t Estimate::totalBytes() const {
+  return std::accumulate(bytes.begin(), bytes.end(), std::uint64_t(0));
+}
+
+Result<Estimate> estimateRun(const BuildOptions& options, const PyramidPlan& plan,
+                             const BlockPlan& blocks, const NodeSourceFactory& source) {
+  Estimate estimate;
+  estimate.bytes.resize(plan.levels.size());
+  TileJob job(options);
+  double bytesPerTile = 0;
+  double secondsPerTile = 0;
+  for (int zoom = plan.maxZoom; zoom >= plan.minZoom; --zoom) {
+    const std::uint64_t count = plan.tiles.count(zoom);
+    if (zoom > plan.maxZoom - kZoomsTried) {
+      auto nodes = source.open(plan.lattice(zoom));
+      if (!nodes.ok())
+        return nodes.status();
+      const auto ranges = plan.tiles.ranges(zoom);
+      const std::uint64_t tries = std::min(count, kTilesTried);
+      std::uint64_t bytes = 0;
+      Stopwatch watch;
+      for (std::uint64_t k = 0; k < tries; ++k) {
+        const TileId id = nthTile(ranges, zoom, (2 * k + 1) * count / (2 * tries));
+        QMESH_RETURN_IF_ERROR(tryTile(options, plan, source, **nodes, id, job, bytes));
+      }
+      bytesPerTile = double(bytes) / double(tries);
+      secondsPerTile = watch.lap() / double(tries);
+    }
+    estimate.bytes[std::size_t(zoom)] = std::uint64_t(bytesPerTile * double(count));
+    estimate.seconds += secondsPerTile * double(count) / blocks.threads;
+  }
+  return estimate;
+}
+
+} // namespace qmesh

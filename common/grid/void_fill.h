@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the qmesh authors
+#pragma once
+
+#include "grid/node_window.h"
+
+namespace qmesh {
+
+/// Gives every void node of the window that exists on the lattice one height, metres.
+void fillVoids(NodeWindow& window, float height);
+
+/// The same for the void nodes that lie in no closed square of the level's `tiles`.
+void fillVoidsOutside(NodeWindow& window, const Availability& tiles, float height);
+
+/// Gives every void node the bilinear interpolation of the filled coarser level around it (the
+/// "push" of pull-push interpolation: Gortler et al. 1996), so that a hole is bridged smoothly
+/// whatever its size and each node is a function of its global position. Only nodes within
+/// kTileHalo of the window's tiles are filled: what tiles need.
+/// REQUIRES: `coarser` is filled and covers those nodes.
+void fillVoids(NodeWindow& window, const NodeWindow& coarser);
+
+} // namespace qmesh
