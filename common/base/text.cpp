@@ -78,9 +78,13 @@ std::optional<std::int64_t> parseInteger(std::string_view text) {
 }
 
 std::string formatNumber(double value) {
+  constexpr double kFixedBelow = 1e15;
   std::array<char, 32> buffer;
-  const auto written = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
-  return std::string(buffer.data(), written.ptr);
+  char* end = buffer.data() + buffer.size();
+  const bool fixed = std::abs(value) < kFixedBelow && value == std::floor(value);
+  end = fixed ? std::to_chars(buffer.data(), end, value, std::chars_format::fixed).ptr
+              : std::to_chars(buffer.data(), end, value).ptr;
+  return std::string(buffer.data(), end);
 }
 
 std::string_view trimmed(std::string_view text) {

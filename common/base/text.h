@@ -18,7 +18,8 @@ std::optional<double> parseNumber(std::string_view text);
 /// The whole of `text` as a decimal whole number; nothing where it is not one or does not fit.
 std::optional<std::int64_t> parseInteger(std::string_view text);
 
-/// The shortest text that parseNumber() turns into `value` again.
+/// The shortest text that parseNumber() turns into `value` again; whole numbers below 1e15 without
+/// an exponent.
 std::string formatNumber(double value);
 
 /// Without blanks (space, tab, carriage return, line feed) at both ends.

@@ -2,8 +2,6 @@
 // Copyright (c) 2026 the qmesh authors
 #include "options/option_rows.h"
 
-#include <limits>
-
 #include "options/row_builder.h"
 #include "options/value_grammars.h"
 
@@ -41,7 +39,7 @@ Rows inputRows() {
           .help("The coordinate system of the DEM, where it has none or a wrong one."),
       RowBuilder(Group::input, "band", 'b')
           .value("N")
-          .integer(&Options::band, 1, std::numeric_limits<int>::max())
+          .integer(&Options::band, 1)
           .help("The band with the heights."),
       RowBuilder(Group::input, "srcnodata", 'a')
           .value("NODATA")
@@ -126,8 +124,9 @@ Rows pyramidRows() {
       RowBuilder(Group::tiling, "profile", 'p')
           .value("PROFILE")
           .choice(&Options::profile)
-          .refusal("terrain lies on the globe: gdal2tiles' raster profile and tile matrices of "
-                   "one's own have no place there")
+          .refusal(
+              "terrain lies on the globe, so gdal2tiles' raster profile and other tile matrices "
+              "cannot be used")
           .help("The tiles' grid."),
       RowBuilder(Group::tiling, "zoom", 'z')
           .value("MIN-MAX|MIN-|N")
@@ -172,7 +171,7 @@ Rows nodeRows() {
           .help("Number tile rows from the north (slippy map) instead of the south (TMS)."),
       RowBuilder(Group::tiling, "tmscompatible", 'd')
           .noEffect("")
-          .help("Taken from gdal2tiles and always on: two tiles at zoom 0 for geodetic."),
+          .help("Accepted as in gdal2tiles, always on: two tiles at zoom 0 for geodetic."),
   };
 }
 
@@ -246,14 +245,14 @@ Rows outputRows() {
           .help("Write a JSON report: tiles, triangles, bytes, errors reached and seconds."),
       RowBuilder(Group::output, "force-kml", 'k')
           .noEffect("terrain has no KML")
-          .help("Taken from gdal2tiles, without effect."),
+          .help("Accepted as in gdal2tiles, without effect."),
       RowBuilder(Group::output, "no-kml", 'n')
           .noEffect("terrain has no KML")
-          .help("Taken from gdal2tiles, without effect."),
+          .help("Accepted as in gdal2tiles, without effect."),
       RowBuilder(Group::output, "googlekey", 'g')
           .value("KEY")
           .noEffect("the preview page needs no key", 1)
-          .help("Taken from gdal2tiles, without effect."),
+          .help("Accepted as in gdal2tiles, without effect."),
   };
 }
 

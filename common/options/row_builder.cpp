@@ -27,9 +27,9 @@ Result<std::int64_t> parseIntegerIn(const std::string& text, std::int64_t minimu
   if (value && *value >= minimum && *value <= maximum)
     return *value;
   const std::string least = std::to_string(minimum);
-  return maximum == std::numeric_limits<std::int64_t>::max()
-             ? expected("a whole number, " + least + " or more")
-             : expected("a whole number from " + least + " to " + std::to_string(maximum));
+  return expected(maximum == std::numeric_limits<int>::max()
+                      ? "a whole number, " + least + " or more"
+                      : "a whole number from " + least + " to " + std::to_string(maximum));
 }
 
 Result<double> parseNumberIn(const std::string& text, double minimum, double maximum) {

@@ -53,10 +53,11 @@ class RowBuilder {
   RowBuilder& request(Request request);
   RowBuilder& commandLineOnly();
 
-  /// A whole number in a range; Field is int, std::int64_t or an optional of one.
+  /// A whole number in a range, any int by default; Field is int, std::int64_t or an optional of
+  /// one.
   template <class Field>
   RowBuilder& integer(Field BuildOptions::*field, std::int64_t minimum,
-                      std::int64_t maximum = std::numeric_limits<std::int64_t>::max());
+                      std::int64_t maximum = std::numeric_limits<int>::max());
 
   /// A number in a range; Field is double or an optional of it.
   template <class Field>
@@ -97,7 +98,7 @@ template <class Field>
 RowBuilder& RowBuilder::integer(Field BuildOptions::*field, std::int64_t minimum,
                                 std::int64_t maximum) {
   row_.minimum = static_cast<double>(minimum);
-  if (maximum != std::numeric_limits<std::int64_t>::max())
+  if (maximum < std::numeric_limits<int>::max())
     row_.maximum = static_cast<double>(maximum);
   return custom(
       OptionType::integer,
