@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the qmesh authors
+#include "interrupt.h"
+
+#include <signal.h>
+#include <unistd.h>
+
+#include <atomic>
+
+#include "base/status.h"
+
+namespace qmesh {
+
+namespace {
+
+std::atomic<bool> stop{false};
+static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler must not lock");
+
+void requestStop(int) {
+  if (stop.exchange(true))
+    _exit(static_cast<int>(Code::interrupted));
+}
+
+void handle(int signal, void (*handler)(int)) {
+  struct sigaction action = {};
+  action.sa_handler = handler;
+  action.sa_flags = SA_RESTART; // no read or write of a library fails with EINTR
+  sigemptyset(&action.sa_mask);
+  sigaction(signal, &action, nullptr);
+}
+
+} // namespace
+
+void installSignalHandlers() {
+  handle(SIGINT, requestStop);
+  handle(SIGTERM, requestStop);
+  handle(SIGXFSZ, SIG_IGN);
+  handle(SIGPIPE, SIG_IGN);
+}
+
+bool stopRequested() {
+  return stop;
+}
+
+} // namespace qmesh

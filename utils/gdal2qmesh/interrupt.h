@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the qmesh authors
+#pragma once
+
+namespace qmesh {
+
+/// Takes over the signals of the process, once, before threads start: SIGINT (Ctrl-C) and SIGTERM
+/// ask for a clean stop, the second one ends the process at once with exit code 3. SIGXFSZ and
+/// SIGPIPE are ignored, so that a full file or a closed pipe is a failed write with a message.
+void installSignalHandlers();
+
+/// Whether a signal has asked for a stop. Any thread may call it.
+bool stopRequested();
+
+} // namespace qmesh
