@@ -1,0 +1,68 @@
+# SPDX-License-Identifier: MIT
+# Copyright (c) 2026 the qmesh authors
+"""P4: memory stays within --memory whatever the size of the DEM; empty space costs nothing."""
+
+import time
+
+import numpy as np
+import pytest
+from osgeo import gdal
+
+import dems
+import harness
+from measure import measured
+from oracle.tileset import TileSet
+
+BASE = 90 << 20  # the program with GDAL and PROJ loaded, before any work
+
+
+@pytest.fixture(scope="module")
+def huge(tmp_path_factory):
+    """9000 x 9000 cells, 160 MB of pixels in memory, from a small pattern repeated."""
+    path = tmp_path_factory.mktemp("huge") / "huge.tif"
+    data = gdal.GetDriverByName("GTiff").Create(
+        str(path), 9000, 9000, 1, gdal.GDT_Float32, ["TILED=YES", "COMPRESS=DEFLATE", "ZLEVEL=1"])
+    data.SetGeoTransform((10.0, 0.00025, 0, 47.0, 0, -0.00025))
+    reference = gdal.osr.SpatialReference()
+    reference.SetFromUserInput("EPSG:4326")
+    data.SetProjection(reference.ExportToWkt())
+    pattern = dems.hills(512, 9000)
+    for row in range(0, 9000, 512):
+        rows = min(512, 9000 - row)
+        data.GetRasterBand(1).WriteArray(pattern[:rows] if row // 512 % 2 else pattern[::-1][:rows], 0, row)
+    data = None
+    return path
+
+
+@pytest.mark.parametrize("megabytes", [128, 256])
+def test_memory_stays_within_the_budget(tmp_path, huge, megabytes):
+    run = measured([harness.BIN, "-q", "-j", "2", "--memory", f"{megabytes}MB", "-z", "0-12",
+                    huge, tmp_path / "a"])
+    assert run["code"] == 0, run["err"]
+    assert run["peak_bytes"] < (megabytes << 20) + BASE, f"{run['peak_bytes'] >> 20} MB at the peak"
+
+
+def test_a_raster_that_could_never_be_held(tmp_path, dem):
+    """A VRT of 200,000 x 200,000 cells that is void but for two small DEMs at its ends."""
+    values = dems.hills(200, 200)
+    west = dems.write(tmp_path / "w.tif", values, (-120.0, 0.0005, 0, 60.0, 0, -0.0005), nodata=-9999)
+    east = dems.write(tmp_path / "e.tif", values, (120.0, 0.0005, 0, -40.0, 0, -0.0005), nodata=-9999)
+    gdal.BuildVRT(str(tmp_path / "far.vrt"), [str(west), str(east)]).FlushCache()
+    shape = gdal.Open(str(tmp_path / "far.vrt"))
+    assert shape.RasterXSize > 400_000 and shape.RasterYSize > 190_000
+    started = time.monotonic()
+    run = measured([harness.BIN, "-q", "-x", "--memory", "256MB", tmp_path / "far.vrt", tmp_path / "a"])
+    assert run["code"] == 0, run["err"]
+    assert run["peak_bytes"] < (256 << 20) + BASE
+    assert time.monotonic() - started < 60, "the empty space between them was paid for"
+    tiles = TileSet(tmp_path / "a")
+    top = max(tiles.levels())
+    heights = [tiles.tile(*t).heights().max() for t in tiles.levels()[top]]
+    assert np.max(heights) == pytest.approx(900, abs=5)
+    assert len(tiles.levels()[top]) < 20
+
+
+def test_too_little_memory_names_the_minimum(tmp_path, dem):
+    run = harness.gdal2qmesh("--memory", "2MB", dem("jacksboro"), tmp_path / "a")
+    run.failed(harness.USAGE, "memory", "MB")
+    assert not (tmp_path / "a").exists()

@@ -1,0 +1,396 @@
+# SPDX-License-Identifier: MIT
+# Copyright (c) 2026 the qmesh authors
+"""What the options do to the tree, and what the command says."""
+
+import gzip
+import json
+
+import numpy as np
+import pytest
+
+import dems
+import harness
+import promises
+from oracle import terrain, tin
+from oracle.nodes import Nodes, Source
+from oracle.scheme import node_u
+from oracle.tileset import TileSet
+
+
+def build(dem, output, *options):
+    harness.gdal2qmesh("-q", *options, dem, output).succeeded()
+    return TileSet(output)
+
+
+def mesh(tile):
+    return [tile.u.tolist(), tile.v.tolist(), tile.q.tolist(), tile.triangles.tolist()]
+
+
+def terrain_files(folder):
+    return {k: v for k, v in harness.tree(folder).items() if k.endswith(".terrain")}
+
+
+# ---- the tree ----
+
+
+def test_xyz_turns_the_rows_over_and_nothing_else(tmp_path, dem):
+    tms = build(dem("small"), tmp_path / "tms")
+    xyz = build(dem("small"), tmp_path / "xyz", "--xyz")
+    assert xyz.layer["scheme"] == "slippyMap"
+    assert xyz.layer["available"] == tms.layer["available"]
+    assert xyz.on_disk() == tms.on_disk()
+    for name in tms.on_disk():
+        assert xyz.path(*name).read_bytes() == tms.path(*name).read_bytes()
+    assert xyz.path(3, 0, 0).name != tms.path(3, 0, 0).name
+
+
+def test_compress_none_is_the_same_without_gzip(tmp_path, dem):
+    zipped = build(dem("small"), tmp_path / "gzip")
+    plain = build(dem("small"), tmp_path / "none", "--compress", "none")
+    for name in zipped.on_disk():
+        packed = zipped.path(*name).read_bytes()
+        assert packed[:2] == b"\x1f\x8b" and packed[4:8] == bytes(4), "a time stamp"
+        assert gzip.decompress(packed) == plain.path(*name).read_bytes()
+
+
+def test_without_normals(tmp_path, dem):
+    with_them = build(dem("small"), tmp_path / "with")
+    without = build(dem("small"), tmp_path / "without", "--no-normals")
+    assert "octvertexnormals" in with_them.layer["extensions"]
+    assert without.layer.get("extensions", []) == []
+    for name in with_them.on_disk():
+        a, b = with_them.tile(*name), without.tile(*name)
+        assert a.oct_normals() is not None and b.extensions == {}
+        assert mesh(a) == mesh(b)
+
+
+@pytest.mark.parametrize(
+    "options, zooms",
+    [(["-z", "2-5"], range(2, 6)), (["-z", "7"], [7]), (["-z", "8-"], range(8, 11)),
+     (["--max-zoom", "3"], range(0, 4)), (["--min-zoom", "9"], range(9, 11)),
+     (["-z", "0-12"], range(0, 13)), (["--min-zoom=4", "--max-zoom=4"], [4])],
+    ids=str,
+)
+def test_zooms(tmp_path, dem, options, zooms):
+    run = harness.gdal2qmesh(*options, dem("jacksboro"), tmp_path / "a").succeeded()
+    tiles = TileSet(tmp_path / "a")
+    assert sorted({z for z, _, _ in tiles.on_disk()}) == list(zooms)
+    assert tiles.available() == tiles.on_disk()
+    assert (tiles.layer["minzoom"], tiles.layer["maxzoom"]) == (min(zooms), max(zooms))
+    assert ("warning" in run.err.lower() and "level 0" in run.err.lower()) == (min(zooms) > 0)
+    assert promises.valid(tiles) == [] and promises.seamless(tiles)[0] == []
+
+
+def test_the_native_zoom_of_the_shipped_dem(tile_set):
+    """3 arc seconds: 180 / (256 * 2^z) degrees is not coarser from z = 10 on."""
+    assert max(tile_set("jacksboro", "-q", "-p", "geodetic").levels()) == 10
+
+
+def test_extent(tmp_path, dem):
+    box = (10.1, 46.15, 10.3, 46.4)
+    tiles = build(dem("void"), tmp_path / "a", "--te", *box, "--void-fill", "-5")
+    nodes = Nodes(Source(dem("void")), tiles.scheme, 256, max(tiles.levels()), -5.0, box)
+    assert promises.bounded(tiles, nodes)[0] == []
+    assert promises.valid(tiles) == []
+    for name in tiles.levels()[max(tiles.levels())]:
+        west, south, east, north = tiles.scheme.box(*name)
+        assert west < box[2] and east > box[0] and south < box[3] and north > box[1]
+    assert tiles.layer["bounds"] == pytest.approx(box)
+
+
+def test_extent_in_another_system(tmp_path, dem):
+    """10.1 46.15 10.3 46.4 in the units of EPSG:3857 holds the same nodes."""
+    r = 6378137.0
+    west, east = (np.radians(v) * r for v in (10.1, 10.3))
+    south, north = (np.log(np.tan(np.pi / 4 + np.radians(v) / 2)) * r for v in (46.15, 46.4))
+    build(dem("void"), tmp_path / "a", "--te", 10.1, 46.15, 10.3, 46.4)
+    build(dem("void"), tmp_path / "b", "--te", west, south, east, north, "--te-srs", "EPSG:3857")
+    assert terrain_files(tmp_path / "a") == terrain_files(tmp_path / "b")
+
+
+def test_cutline(tmp_path, dem):
+    """Inside the triangle the DEM's heights, outside the void fill."""
+    corners = [[10.01, 46.01], [10.04, 46.012], [10.025, 46.04], [10.01, 46.01]]
+    polygon = {"type": "Feature", "properties": {},
+               "geometry": {"type": "Polygon", "coordinates": [corners]}}
+    (tmp_path / "cut.geojson").write_text(
+        json.dumps({"type": "FeatureCollection", "features": [polygon]}))
+    tiles = build(dem("small"), tmp_path / "a", "--cutline", tmp_path / "cut.geojson",
+                  "--method", "delaunay", "--void-fill", "-100")
+    top = max(tiles.levels())
+    nodes = Nodes(Source(dem("small")), tiles.scheme, 256, top)
+    counts = [0, 0]
+    for name in tiles.levels()[top]:
+        surface = tin.evaluate(tiles.tile(*name), node_u(256), tiles.scheme.node_v(top, name[2], 256))
+        west, south, east, north = tiles.scheme.box(*name)
+        lon, lat = np.meshgrid(np.linspace(west, east, 257), np.linspace(south, north, 257))
+        distance = np.full(lon.shape, np.inf)
+        for (ax, ay), (bx, by) in zip(corners, corners[1:]):  # counter-clockwise
+            side = ((bx - ax) * (lat - ay) - (by - ay) * (lon - ax)) / np.hypot(bx - ax, by - ay)
+            distance = np.minimum(distance, side)
+        height, _, _, _ = nodes.tile(*name)
+        inside, outside = distance > 1e-9, distance < -1e-9
+        assert np.abs(surface - height)[inside].max(initial=0) < 0.2
+        assert np.abs(surface + 100)[outside].max(initial=0) < 0.2
+        counts[0] += inside.sum()
+        counts[1] += outside.sum()
+    assert min(counts) > 5000
+
+
+def test_tile_limits(tmp_path, dem, tile_set):
+    whole = tile_set("jacksboro", "-q", "-p", "geodetic")
+    top = max(whole.levels())
+    columns = sorted({x for _, x, _ in whole.levels()[top]})
+    rows = sorted({y for _, _, y in whole.levels()[top]})
+    tiles = build(dem("jacksboro"), tmp_path / "a", "--min-x", columns[1], "--max-x", columns[1],
+                  "--max-y", rows[0])
+    assert set(tiles.levels()[top]) == {(top, columns[1], rows[0])}
+    assert set(tiles.levels()[0]) == {(0, 0, 0), (0, 1, 0)}
+    assert tiles.available() == tiles.on_disk()
+
+
+def test_tiles_without_any_height_can_be_left_out(tmp_path):
+    """Two islands of data in a void: with -x the tiles between them are not there."""
+    ground = dems.hills(900, 900)
+    ground[200:700, :] = -9999
+    ground[:, 200:700] = -9999
+    path = dems.write(tmp_path / "a.tif", ground, nodata=-9999)
+    full = build(path, tmp_path / "full", "--tilesize", "64")
+    sparse = build(path, tmp_path / "sparse", "-x", "--tilesize", "64")
+    top = max(full.levels())
+    nodes = Nodes(Source(path), full.scheme, 64, top)
+    assert sparse.available() == sparse.on_disk() < full.on_disk()
+    kept = sparse.on_disk()
+    for name in full.on_disk():
+        void = nodes.tile(*name)[3].all()
+        if name not in kept:
+            assert void, f"{name} has heights and is left out"
+        else:
+            assert full.path(*name).read_bytes() == sparse.path(*name).read_bytes()
+            ancestor = any(n[0] > name[0] and (n[1] >> (n[0] - name[0]), n[2] >> (n[0] - name[0]))
+                           == name[1:] for n in kept)
+            assert not void or ancestor or name[0] == 0, f"{name} has no height and is there"
+    assert len(full.on_disk()) - len(kept) > 20
+
+
+# ---- meshes ----
+
+
+def test_max_error_per_zoom(tmp_path, dem):
+    tiles = build(dem("jacksboro"), tmp_path / "a", "--max-error", "0:5000,1-3:2000,4-:800/2^z")
+    nodes = promises.nodes_of(dem("jacksboro"), "geodetic", 256, max(tiles.levels()))
+
+    def limit(z):
+        return 5000 if z == 0 else 2000 if z < 4 else 800 / 2.0**z
+
+    assert promises.bounded(tiles, nodes, limit)[0] == []
+    for level in tiles.layer["qmesh"]["levels"]:
+        assert level["maxError"] == pytest.approx(limit(level["zoom"]))
+
+
+def test_screen_error(tmp_path, dem):
+    tiles = build(dem("small"), tmp_path / "a", "--screen-error", "4")
+    top = max(tiles.levels())
+    for level in tiles.layer["qmesh"]["levels"]:
+        z = level["zoom"]
+        assert level["maxError"] == pytest.approx(tiles.scheme.default_max_error(z, top, 4))
+
+
+def test_max_error_zero_ends_and_says_why(tmp_path, dem):
+    """Rounding alone exceeds it: the report counts such tiles, and the mesh is as near as can be."""
+    report = tmp_path / "report.json"
+    tiles = build(dem("small"), tmp_path / "a", "--max-error", "0", "--tilesize", "64",
+                  "--report", report)
+    assert promises.valid(tiles) == [] and promises.seamless(tiles)[0] == []
+    nodes = promises.nodes_of(dem("small"), "geodetic", 64, max(tiles.levels()))
+    u = node_u(64)
+    for name in tiles.available():
+        surface = tin.evaluate(tiles.tile(*name), u, tiles.scheme.node_v(name[0], name[2], 64))
+        assert np.abs(surface - nodes.tile(*name)[0]).max() < 1.0
+    assert json.loads(report.read_text())["total"]["quantizationTiles"] > 0
+
+
+def test_decimation_saves_triangles_within_the_same_error(tmp_path, dem):
+    counts = {}
+    for way in ("on", "off"):
+        tiles = build(dem("jacksboro"), tmp_path / way, "--decimate", way, "--max-error", "8")
+        nodes = promises.nodes_of(dem("jacksboro"), "geodetic", 256, max(tiles.levels()))
+        assert promises.bounded(tiles, nodes, lambda z: 8.0)[0] == []
+        counts[way] = sum(len(tiles.tile(*t).triangles) for t in tiles.available())
+    assert counts["on"] < 0.8 * counts["off"]
+
+
+def test_delaunay_keeps_every_node(tmp_path, dem):
+    tiles = build(dem("small"), tmp_path / "a", "--method", "delaunay", "--tilesize", "32")
+    nodes = promises.nodes_of(dem("small"), "geodetic", 32, max(tiles.levels()))
+    assert promises.valid(tiles) == [] and promises.seamless(tiles)[0] == []
+    for name in tiles.available():
+        tile = tiles.tile(*name)
+        assert len(tile.u) == 33 * 33 and len(tile.triangles) == 2 * 32 * 32
+    assert promises.bounded(tiles, nodes)[0] == []
+
+
+def test_a_tile_of_256_cells_has_32_bit_indices(tmp_path, dem):
+    tiles = build(dem("small"), tmp_path / "a", "--method", "delaunay", "-z", "9-10")
+    assert all(len(tiles.tile(*t).u) == 257 * 257 for t in tiles.available())
+    assert promises.valid(tiles) == []
+
+
+@pytest.mark.parametrize("method", ["near", "nearest", "bilinear", "cubic", "cubicspline", "lanczos", "average"])
+@pytest.mark.parametrize("name", ["void", "rotated"])
+def test_every_resampling(tmp_path, dem, name, method):
+    """Bounded by the DEM's range (kernels that overshoot a little apart), valid and seamless."""
+    tiles = build(dem(name), tmp_path / "a", "-r", method)
+    assert promises.valid(tiles) == [] and promises.seamless(tiles)[0] == []
+    heights = np.concatenate([tiles.tile(*t).heights() for t in tiles.available()])
+    assert -120 < heights.min() and heights.max() < 2200
+
+
+@pytest.mark.parametrize("method", ["nearest", "average", "cubic"])
+def test_every_overview_resampling(tmp_path, dem, method):
+    tiles = build(dem("void"), tmp_path / "a", "--overview-resampling", method)
+    assert promises.valid(tiles) == [] and promises.seamless(tiles)[0] == []
+    same = terrain_files(tmp_path / "a") == terrain_files(
+        build(dem("void"), tmp_path / "b").folder)
+    assert same == (method == "average")
+
+
+# ---- what the command says ----
+
+
+def test_a_configuration_file_says_the_same(tmp_path, dem):
+    (tmp_path / "set.conf").write_text(
+        "# the terrain of the tests\nmax-error = 20\nnormals = off\nzoom = 0-9\n\ncopyright = me\n")
+    build(dem("small"), tmp_path / "a", "--config-file", tmp_path / "set.conf")
+    build(dem("small"), tmp_path / "b", "--max-error", "20", "--no-normals", "-z", "0-9", "-c", "me")
+    assert harness.tree(tmp_path / "a") == harness.tree(tmp_path / "b")
+    build(dem("small"), tmp_path / "c", "--config-file", tmp_path / "set.conf", "-z", "0-4")
+    assert max(TileSet(tmp_path / "c").levels()) == 4, "the command line wins"
+    (tmp_path / "bad.conf").write_text("max-error = 20\nno-such = 1\n")
+    harness.gdal2qmesh("--config-file", tmp_path / "bad.conf", dem("small"), tmp_path / "d").failed(
+        harness.USAGE, "bad.conf", "2", "no-such")
+
+
+def tile_counts(text):
+    """zoom -> tiles from lines that begin with a zoom number."""
+    counts = {}
+    for line in text.splitlines():
+        words = line.replace(":", " ").split()
+        numbers = [w for w in words if w.isdigit()]
+        if numbers and (words[0].isdigit() or words[0].lower() in ("zoom", "z")):
+            if len(numbers) > 1:
+                counts[int(numbers[0])] = int(numbers[1])
+    return counts
+
+
+@pytest.mark.parametrize("name", ["jacksboro", "global", "void", "antimeridian_utm"])
+def test_a_dry_run_counts_and_writes_nothing(tmp_path, dem, tile_set, name):
+    run = harness.gdal2qmesh("--dry-run", dem(name), "out", cwd=tmp_path).succeeded()
+    assert list(tmp_path.iterdir()) == []
+    levels = tile_set(name, "-q", "-p", "geodetic").levels()
+    assert tile_counts(run.out) == {z: len(level) for z, level in levels.items()}
+
+
+def test_the_report_counts_what_is_there(tmp_path, dem):
+    report = tmp_path / "report.json"
+    tiles = build(dem("jacksboro"), tmp_path / "a", "--report", report)
+    said = json.loads(report.read_text())
+    nodes = promises.nodes_of(dem("jacksboro"), "geodetic", 256, max(tiles.levels()))
+    assert [level["zoom"] for level in said["zooms"]] == sorted(tiles.levels())
+    u = node_u(256)
+    for level in said["zooms"]:
+        z = level["zoom"]
+        names = tiles.levels()[z]
+        assert level["tiles"] == len(names)
+        assert level["vertices"] == sum(len(tiles.tile(*t).u) for t in names)
+        assert level["triangles"] == sum(len(tiles.tile(*t).triangles) for t in names)
+        assert level["bytes"] == sum(tiles.path(*t).stat().st_size for t in names)
+        errors = np.stack([tin.evaluate(tiles.tile(*t), u, tiles.scheme.node_v(z, t[2], 256))
+                           - nodes.tile(*t)[0] for t in names])
+        assert level["errorReached"] == pytest.approx(np.abs(errors).max(), abs=2e-3)
+        assert level["rmsError"] == pytest.approx(np.sqrt((errors**2).mean()), rel=1e-2, abs=2e-3)
+    assert said["total"]["tiles"] == len(tiles.available())
+    assert {"wall", "sample", "reduce", "mesh", "encode", "write"} <= set(said["seconds"])
+
+
+def test_options_json_is_json_and_complete():
+    said = json.loads(harness.gdal2qmesh("--options-json").succeeded().out)
+    text = json.dumps(said)
+    for name in ("max-error", "screen-error", "zoom", "tilesize", "void-fill", "metadata", "memory"):
+        assert f'"{name}"' in text
+
+
+def test_help_and_version():
+    run = harness.gdal2qmesh("--help").succeeded()
+    assert run.out.lower().startswith("usage: gdal2qmesh") and not run.err
+    for word in ("--max-error", "--screen-error", "--zoom", "--overwrite", "greedy", "delaunay"):
+        assert word in run.out
+    assert max(map(len, run.out.splitlines())) <= 80
+    assert harness.gdal2qmesh("-h").succeeded().out == run.out
+    assert harness.gdal2qmesh("--version").succeeded().out.strip()
+
+
+def test_quiet_says_nothing_and_usual_says_progress(tmp_path, dem):
+    run = harness.gdal2qmesh("-q", dem("small"), tmp_path / "a").succeeded()
+    assert run.out == "" and run.err == ""
+    run = harness.gdal2qmesh(dem("small"), tmp_path / "b").succeeded()
+    assert "0...10...20...30...40...50...60...70...80...90...100 - done." in run.out
+    assert "\r" not in run.out, "no terminal, so nothing is rewritten"
+
+
+def test_gdal2tiles_options_without_meaning_only_warn(tmp_path, dem):
+    build(dem("small"), tmp_path / "a")
+    run = harness.gdal2qmesh("-k", "-n", "-g", "key", "-d", dem("small"), tmp_path / "b").succeeded()
+    assert run.err.lower().count("warning") == 3
+    assert terrain_files(tmp_path / "a") == terrain_files(tmp_path / "b")
+
+
+def test_long_options_take_their_value_either_way(tmp_path, dem):
+    build(dem("small"), tmp_path / "a", "--max-error=30", "--processes=1")
+    build(dem("small"), tmp_path / "b", "--max-error", "30", "--num-threads", "2")
+    assert harness.tree(tmp_path / "a") == harness.tree(tmp_path / "b")
+
+
+@pytest.mark.parametrize("viewer", ["cesium", "all"])
+def test_the_preview_page(tmp_path, dem, viewer):
+    harness.gdal2qmesh("-q", "-w", viewer, "-t", "Small <hills>", dem("small"),
+                       tmp_path / "a").succeeded()
+    page = (tmp_path / "a" / "index.html").read_text()
+    assert "Small &lt;hills&gt;" in page and "Small <hills>" not in page
+    assert "cesium.com/downloads/cesiumjs/releases/1." in page
+    assert "@" not in page.replace("@media", ""), "a placeholder was not filled"
+    harness.gdal2qmesh("-q", "-w", "none", dem("small"), tmp_path / "b").succeeded()
+    assert not (tmp_path / "b" / "index.html").exists()
+
+
+def test_a_cesium_of_ones_own_is_copied(tmp_path, dem):
+    own = tmp_path / "cesium"
+    (own / "Workers").mkdir(parents=True)
+    (own / "Widgets").mkdir()
+    (own / "Cesium.js").write_text("// Cesium")
+    (own / "Widgets" / "widgets.css").write_text("/* css */")
+    (own / "Workers" / "a.js").write_text("// worker")
+    harness.gdal2qmesh("-q", "-w", "cesium", "--cesium", own, dem("small"),
+                       tmp_path / "a").succeeded()
+    copies = list((tmp_path / "a").rglob("Cesium.js"))
+    assert len(copies) == 1 and (copies[0].parent / "Workers" / "a.js").exists()
+    page = (tmp_path / "a" / "index.html").read_text()
+    assert "https://cesium.com/downloads" not in page
+
+
+def test_nothing_hidden_is_left(tmp_path, dem):
+    harness.gdal2qmesh("-q", "-w", "cesium", dem("small"), tmp_path / "a").succeeded()
+    assert harness.hidden_files(tmp_path / "a") == []
+    harness.gdal2qmesh("-q", "--overwrite", dem("small"), tmp_path / "a").succeeded()
+    assert harness.hidden_files(tmp_path / "a") == []
+    assert sorted(p.name for p in tmp_path.iterdir()) == ["a"]
+
+
+def test_the_tiles_a_decoder_would_refuse(tmp_path):
+    """The strict decoder is in use: it refuses a tile with one byte too many."""
+    path = dems.write(tmp_path / "a.tif", dems.hills(30, 30))
+    tiles = build(path, tmp_path / "a", "--compress", "none")
+    data = tiles.path(0, 0, 0).read_bytes()
+    terrain.decode(data)
+    with pytest.raises(terrain.BadTile):
+        terrain.decode(data + b"\1")
