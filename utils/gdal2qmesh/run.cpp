@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the qmesh authors
+#include "run.h"
+
+#include <algorithm>
+#include <thread>
+
+#include <cpl_conv.h>
+#include <cpl_vsi.h>
+#include <gdal.h>
+
+#include "build/estimate.h"
+#include "build/tileset_builder.h"
+#include "gdalio/directory_sink.h"
+#include "gdalio/raster_source.h"
+#include "interrupt.h"
+#include "preview.h"
+#include "summary.h"
+
+namespace qmesh {
+
+namespace {
+
+int processors() {
+  return std::max(1u, std::thread::hardware_concurrency());
+}
+
+void tellWarnings(std::vector<std::string>& warnings, Console& console) {
+  for (const std::string& warning : warnings)
+    console.warning(warning);
+  warnings.clear();
+}
+
+/// Through VSI, so that --report may name any place GDAL can write.
+Status writeReport(const std::string& file, const std::string& text) {
+  VSILFILE* handle = VSIFOpenL(file.c_str(), "wb");
+  const bool written = handle && VSIFWriteL(text.data(), 1, text.size(), handle) == text.size();
+  const bool closed = handle && VSIFCloseL(handle) == 0;
+  if (!written || !closed)
+    return {Code::output, file + ": cannot write the report"};
+  return {};
+}
+
+std::vector<SideFile> sideFiles(const BuildOptions& options) {
+  std::vector<SideFile> files;
+  if (options.preview == Preview::none)
+    return files;
+  for (const PreviewFile& file : previewFiles(options))
+    files.emplace_back(file.name, file.text);
+  return files;
+}
+
+Status dryRun(const BuildOptions& options, const PyramidPlan& plan, const BlockPlan& blocks,
+              const NodeSourceFactory& source, Console& console) {
+  const auto estimate = estimateRun(options, plan, blocks, source);
+  if (!estimate.ok())
+    return estimate.status();
+  std::fputs(estimateTable(plan, blocks, *estimate).c_str(), stdout);
+  console.detail("nothing was written");
+  return {};
+}
+
+Status build(const BuildOptions& options, const PyramidPlan& plan, const BlockPlan& blocks,
+             const NodeSourceFactory& source, Console& console) {
+  auto sink = openDirectorySink(options);
+  if (!sink.ok())
+    return sink.status();
+  console.message(startLine(options, plan, blocks));
+  const auto report =
+      buildTileset(options, plan, blocks, source, **sink, sideFiles(options), [&](double done) {
+        console.progress(done);
+        return !stopRequested();
+      });
+  if (!report.ok())
+    return report.status();
+  if (!options.cesium.empty())
+    QMESH_RETURN_IF_ERROR(copyCesium(options.cesium, options.output));
+  if (!options.report.empty())
+    QMESH_RETURN_IF_ERROR(writeReport(options.report, reportJson(*report)));
+  for (const std::string& warning : reportWarnings(*report))
+    console.warning(warning);
+  for (const std::string& line : reportLines(options, *report))
+    console.message(line);
+  if (options.verbose)
+    console.detail(levelTable(*report));
+  return {};
+}
+
+} // namespace
+
+Status runBuild(const BuildOptions& options, Console& console) {
+  GDALAllRegister();
+  if (!options.cesium.empty()) {
+    const auto found = findCesium(options.cesium);
+    if (!found.ok())
+      return found.status();
+  }
+  std::vector<std::string> warnings;
+  const auto source = openRasterSource(options, warnings);
+  tellWarnings(warnings, console);
+  if (!source.ok())
+    return source.status();
+  const auto plan = planPyramid(options, **source, warnings);
+  tellWarnings(warnings, console);
+  if (!plan.ok())
+    return plan.status();
+  const auto blocks = planBlocks(options, *plan, (*source)->bytesPerSource(), processors());
+  if (!blocks.ok())
+    return blocks.status();
+  GDALSetCacheMax64(GIntBig(blocks->cacheBytes));
+  return options.dryRun ? dryRun(options, *plan, *blocks, **source, console)
+                        : build(options, *plan, *blocks, **source, console);
+}
+
+} // namespace qmesh
