@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the qmesh authors
+#pragma once
+
+#include <vector>
+
+#include "base/status.h"
+#include "gdalio/raster_input.h"
+#include "gdalio/region.h"
+#include "tiling/scheme.h"
+
+namespace qmesh {
+
+/// A raster's place on the globe: boxes as in NodeSourceFactory::extent. Exact for a geographic
+/// raster on WGS 84 (edges within a thousandth of a pixel of a round place are put there, so that a
+/// degree tile does not reach into the next); for others a box round the transformed outline and
+/// inner points. Code::input where no pixel has a place.
+Result<std::vector<GeoBox>> rasterExtent(const RasterInput& input);
+
+/// `boxes` with a margin of a fiftieth of their size: no node with data lies outside.
+std::vector<GeoBox> widened(std::vector<GeoBox> boxes);
+
+/// The common part of the boxes and those round the region's polygons; as it is where the region is
+/// empty.
+/// Not exact where the region has more than 64 polygons: one box stands for them all.
+std::vector<GeoBox> cropped(const std::vector<GeoBox>& boxes, const Region& region);
+
+/// See NodeSourceFactory::nativeZoom.
+int nativeZoomOf(const RasterInput& input, const Scheme& scheme, int cellsPerTile);
+
+} // namespace qmesh

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the qmesh authors
+#pragma once
+
+#include <vector>
+
+#include "options/build_options.h"
+
+namespace qmesh {
+
+/// A row of weights for the pixels first..first+count-1.
+struct Taps {
+  int first = 0;
+  int count = 0;
+  std::vector<double> weight;
+};
+
+/// One dimension of a resampling kernel, stretched by a fixed scale (>= 1) so that reducing does
+/// not alias. bilinear: tent; cubic: Keys 1981, a = -1/2; cubicspline: the cubic B-spline; lanczos:
+/// radius 3; average: box with partial pixels. `nearest` has no kernel.
+class Kernel {
+ public:
+  Kernel(Resampling resampling, double scale);
+
+  /// Pixels beyond which a weight is zero.
+  double radius() const { return radius_; }
+  bool hasNegativeLobes() const { return negative_; }
+
+  /// Weights of the pixels around a position in pixel space; their sum is 1.
+  void taps(double position, Taps& out) const;
+
+ private:
+  double weight(double distance) const;
+
+  Resampling resampling_;
+  double scale_;
+  double radius_;
+  bool negative_;
+};
+
+/// The length that each pixel has in the interval position - scale/2 .. position + scale/2, cut to
+/// low..high; not normalised.
+void boxTaps(double position, double scale, double low, double high, Taps& out);
+
+} // namespace qmesh

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the qmesh authors
+#include "gdalio/quiet_errors.h"
+
+namespace qmesh {
+
+QuietErrors::QuietErrors() {
+  CPLPushErrorHandlerEx(handle, this);
+}
+
+QuietErrors::~QuietErrors() {
+  CPLPopErrorHandler();
+  CPLErrorReset();
+}
+
+std::string QuietErrors::explain(const std::string& sentence) const {
+  return failure_.empty() ? sentence : sentence + " (" + failure_ + ")";
+}
+
+void CPL_STDCALL QuietErrors::handle(CPLErr kind, CPLErrorNum, const char* text) {
+  auto* self = static_cast<QuietErrors*>(CPLGetErrorHandlerUserData());
+  if (kind >= CE_Failure && self->failure_.empty())
+    self->failure_ = text;
+}
+
+} // namespace qmesh

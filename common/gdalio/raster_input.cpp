@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the qmesh authors
+#include "gdalio/raster_input.h"
+
+#include <algorithm>
+
+#include <cpl_conv.h>
+#include <cpl_string.h>
+#include <cpl_vsi.h>
+
+#include "gdalio/crs.h"
+#include "gdalio/quiet_errors.h"
+
+namespace qmesh {
+namespace {
+
+/// For as long as it lives, VRT files opened by this thread get sources of their own: GDAL would
+/// share them between all datasets that this thread opens, and those go to different threads.
+class UnsharedSources {
+ public:
+  UnsharedSources() {
+    const char* now = CPLGetThreadLocalConfigOption(kKey, nullptr);
+    had_ = now != nullptr;
+    before_ = had_ ? now : "";
+    CPLSetThreadLocalConfigOption(kKey, "NO");
+  }
+  ~UnsharedSources() { CPLSetThreadLocalConfigOption(kKey, had_ ? before_.c_str() : nullptr); }
+  UnsharedSources(const UnsharedSources&) = delete;
+  UnsharedSources& operator=(const UnsharedSources&) = delete;
+
+ private:
+  static constexpr const char* kKey = "VRT_SHARED_SOURCE";
+  bool had_ = false;
+  std::string before_;
+};
+
+Status bad(const std::string& path, const std::string& fault) {
+  return {Code::input, "'" + path + "' " + fault};
+}
+
+Status checkBands(GDALDataset& dataset, const std::string& path, int band) {
+  const int count = dataset.GetRasterCount();
+  if (count == 0) {
+    char** parts = dataset.GetMetadata("SUBDATASETS");
+    const char* first = CSLFetchNameValue(parts, "SUBDATASET_1_NAME");
+    return bad(path, first ? std::string("holds several rasters; name one of them, for example '") +
+                                 first + "'"
+                           : "has no raster band");
+  }
+  if (band < 1 || band > count)
+    return bad(path,
+               "has no band " + std::to_string(band) + "; -b may be 1 to " + std::to_string(count));
+  const GDALDataType type = dataset.GetRasterBand(band)->GetRasterDataType();
+  if (GDALDataTypeIsComplex(type))
+    return bad(path, "has complex numbers (" + std::string(GDALGetDataTypeName(type)) +
+                         ") in band " + std::to_string(band) + ", which cannot be heights");
+  return {};
+}
+
+Status readFrame(GDALDataset& dataset, RasterInput& out) {
+  std::array<double, 6> transform{};
+  const std::array<double, 6> identity{0, 1, 0, 0, 0, 1};
+  const bool known = dataset.GetGeoTransform(transform.data()) == CE_None && transform != identity;
+  if (!known) {
+    const bool indirect = dataset.GetGCPCount() > 0 || dataset.GetMetadata("RPC") ||
+                          dataset.GetMetadata("GEOLOCATION");
+    return bad(out.path, indirect
+                             ? "is placed by control points or a sensor model only; rectify it "
+                               "first: gdalwarp INPUT RECTIFIED.tif"
+                             : "is not georeferenced; give it a place first: gdal_translate "
+                               "-a_ullr ULX ULY LRX LRY -a_srs SRS INPUT PLACED.tif");
+  }
+  if (!out.frame.set(transform, dataset.GetRasterXSize(), dataset.GetRasterYSize(),
+                     fullTurn(out.srs)))
+    return bad(out.path, "has a geotransform that cannot be inverted; its pixels have no area");
+  return {};
+}
+
+Status readSrs(GDALDataset& dataset, const BuildOptions& options, RasterInput& out) {
+  if (!options.sourceSrs.empty()) {
+    Result<OGRSpatialReference> given = parseSrs(options.sourceSrs, "-s");
+    if (!given.ok())
+      return given.status();
+    out.srs = *given;
+  } else {
+    const OGRSpatialReference* own = dataset.GetSpatialRef();
+    if (!own || own->IsEmpty())
+      return bad(out.path, "has no coordinate system; give it with -s, for example -s EPSG:4326");
+    out.srs = *own;
+  }
+  QMESH_RETURN_IF_ERROR(makeHorizontal(out.srs, out.path));
+  out.lonLat = isLonLatWgs84(out.srs);
+  return {};
+}
+
+} // namespace
+
+void DatasetCloser::operator()(GDALDataset* dataset) const {
+  QuietErrors errors;
+  GDALClose(dataset);
+}
+
+Result<DatasetPtr> RasterInput::reopen() const {
+  CPLStringList drivers;
+  for (const std::string& name : formats)
+    drivers.AddString(name.c_str());
+  CPLStringList openPairs;
+  for (const std::string& pair : openOptions)
+    openPairs.AddString(pair.c_str());
+  QuietErrors errors;
+  const UnsharedSources unshared;
+  DatasetPtr dataset(GDALDataset::Open(path.c_str(),
+                                       GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR,
+                                       formats.empty() ? nullptr : drivers.List(),
+                                       openOptions.empty() ? nullptr : openPairs.List()));
+  if (dataset)
+    return dataset;
+  VSIStatBufL info;
+  const bool exists = VSIStatExL(path.c_str(), &info, VSI_STAT_EXISTS_FLAG) == 0;
+  return Status(Code::input,
+                exists ? errors.explain("'" + path + "' is not a raster GDAL can read")
+                       : "'" + path + "' does not exist or cannot be opened" + errors.explain(""));
+}
+
+Result<RasterInput> describeRaster(const BuildOptions& options,
+                                   std::vector<std::string>& warnings) {
+  if (GDALGetDriverCount() == 0)
+    GDALAllRegister();
+  RasterInput out;
+  out.path = options.input;
+  out.formats = options.inputFormats;
+  out.openOptions = options.openOptions;
+  out.band = options.band;
+  const Result<DatasetPtr> opened = out.reopen();
+  if (!opened.ok())
+    return opened.status();
+  QuietErrors errors;
+  GDALDataset& dataset = **opened;
+  QMESH_RETURN_IF_ERROR(checkBands(dataset, out.path, out.band));
+  QMESH_RETURN_IF_ERROR(readSrs(dataset, options, out));
+  QMESH_RETURN_IF_ERROR(readFrame(dataset, out));
+  out.values = PixelValues::of(*dataset.GetRasterBand(out.band), options.sourceNodata,
+                               options.bathymetry, warnings);
+  return out;
+}
+
+} // namespace qmesh

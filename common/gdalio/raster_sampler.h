@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the qmesh authors
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "build/node_source.h"
+#include "gdalio/interpolator.h"
+#include "gdalio/node_positions.h"
+#include "gdalio/raster_input.h"
+#include "gdalio/region.h"
+
+namespace qmesh {
+
+/// What is done to heights after interpolation.
+struct HeightRules {
+  double scaleAbove = 1, scaleBelow = 1; ///< above / below sea level; first
+  double clipLow = -1e300;               ///< metres; then
+  double clipHigh = 1e300;
+
+  float apply(float height) const;
+};
+
+/// All that samplers of one input have in common; const while they live.
+struct SamplerSetup {
+  RasterInput input;
+  HeightRules heights;
+  std::vector<Region> regions; ///< a node must be in each
+  std::vector<GeoBox> extent;  ///< of the raster, with a margin
+  Resampling resampling = Resampling::bilinear;
+};
+
+/// Samples one raster on one lattice.
+class RasterSampler : public NodeSource {
+ public:
+  /// `setup` must outlive the sampler. `antialias`: stretch the kernel where nodes are further
+  /// apart than pixels.
+  static Result<std::unique_ptr<RasterSampler>> open(std::shared_ptr<const SamplerSetup> setup,
+                                                     const NodeLattice& lattice,
+                                                     Resampling resampling, bool antialias);
+
+  Status sample(std::int64_t i0, std::int64_t j0, int width, int height, float* out,
+                std::ptrdiff_t stride) override;
+
+  /// Bytes a sampler takes at most.
+  static std::size_t bytes();
+
+ private:
+  RasterSampler(std::shared_ptr<const SamplerSetup> setup, const NodeLattice& lattice,
+                DatasetPtr dataset, std::unique_ptr<NodePositions> positions, PixelReader reader,
+                Interpolator interpolator, const PixelFrame& frame);
+
+  Status sampleWindow(const NodeWindow& window, float* out, std::ptrdiff_t stride);
+  bool pixelRectangle(const PixelBounds& bounds, PixelWindow& pixels) const;
+  void finishRow(const NodeWindow& window, int row, float* heights);
+
+  std::shared_ptr<const SamplerSetup> setup_;
+  NodeLattice lattice_;
+  DatasetPtr dataset_;
+  std::unique_ptr<NodePositions> positions_;
+  PixelReader reader_;
+  Interpolator interpolator_;
+  PixelFrame frame_; ///< of the level that is read
+  PixelWindow pixels_;
+  std::vector<double> x_, y_, longitudes_;
+};
+
+} // namespace qmesh
