@@ -62,8 +62,10 @@ Status fault(const char* what) {
 }
 
 bool inRange(const std::vector<std::uint16_t>& values) {
-  return std::all_of(values.begin(), values.end(),
-                     [](std::uint16_t value) { return value <= format::kQuantizedMax; });
+  std::uint16_t bits = 0;
+  for (const std::uint16_t value : values)
+    bits |= value;
+  return bits <= format::kQuantizedMax; // all ones, so one comparison does for all
 }
 
 Status checkVertices(const TileMesh& mesh) {
@@ -79,28 +81,14 @@ Status checkVertices(const TileMesh& mesh) {
   return {};
 }
 
-/// High-water-mark coding counts the vertices in the order in which the triangles reach them.
-Status checkIndices(const TileMesh& mesh) {
-  if (mesh.indices.empty() || mesh.indices.size() % 3 != 0)
-    return fault("it has no whole number of triangles");
-  std::uint32_t next = 0;
-  for (const std::uint32_t index : mesh.indices) {
-    if (index > next)
-      return fault("its vertices are not in the order of first use");
-    next += index == next;
-  }
-  if (next != mesh.vertexCount())
-    return fault("its indices do not use every vertex, or more than there are");
-  for (const auto& edge : mesh.edges)
-    for (const std::uint32_t index : edge)
-      if (index >= next)
-        return fault("an edge names a vertex that does not exist");
-  return {};
-}
-
 Status checkMesh(const TileMesh& mesh) {
   QMESH_RETURN_IF_ERROR(checkVertices(mesh));
-  QMESH_RETURN_IF_ERROR(checkIndices(mesh));
+  if (mesh.indices.empty() || mesh.indices.size() % 3 != 0)
+    return fault("it has no whole number of triangles");
+  for (const auto& edge : mesh.edges)
+    for (const std::uint32_t index : edge)
+      if (index >= mesh.vertexCount())
+        return fault("an edge names a vertex that does not exist");
   const std::size_t mask = mesh.waterMask.size();
   if (mask > 1 && mask != format::kWaterMaskSize)
     return fault("its water mask has neither 1 nor 65536 bytes");
@@ -137,20 +125,30 @@ void putDifferences(ByteWriter& out, const std::vector<std::uint16_t>& values) {
   }
 }
 
-template <class Index> void putIndices(ByteWriter& out, const TileMesh& mesh) {
-  while (out.size() % sizeof(Index) != 0)
-    out.put(std::uint8_t(0));
+/// Each index as its distance from the next vertex not yet used. False where the vertices are not
+/// all used, or not in the order of first use, which this coding cannot express.
+template <class Index> bool putTriangles(ByteWriter& out, const TileMesh& mesh) {
   out.put(std::uint32_t(mesh.triangleCount()));
   std::uint32_t next = 0;
+  bool inOrder = true;
   for (const std::uint32_t index : mesh.indices) {
     out.put(Index(next - index));
+    inOrder &= index <= next;
     next += index == next;
   }
+  return inOrder && next == mesh.vertexCount();
+}
+
+template <class Index> bool putIndices(ByteWriter& out, const TileMesh& mesh) {
+  while (out.size() % sizeof(Index) != 0)
+    out.put(std::uint8_t(0));
+  const bool inOrder = putTriangles<Index>(out, mesh);
   for (const auto& edge : mesh.edges) {
     out.put(std::uint32_t(edge.size()));
     for (const std::uint32_t index : edge)
       out.put(Index(index));
   }
+  return inOrder;
 }
 
 void putExtensionHead(ByteWriter& out, format::Extension id, std::size_t size) {
@@ -185,10 +183,11 @@ Result<std::vector<std::uint8_t>> encodeTile(const TileMesh& mesh) {
   putDifferences(out, mesh.u);
   putDifferences(out, mesh.v);
   putDifferences(out, mesh.q);
-  if (mesh.vertexCount() > format::kMaxVertices16)
-    putIndices<std::uint32_t>(out, mesh);
-  else
-    putIndices<std::uint16_t>(out, mesh);
+  const bool inOrder = mesh.vertexCount() > format::kMaxVertices16
+                           ? putIndices<std::uint32_t>(out, mesh)
+                           : putIndices<std::uint16_t>(out, mesh);
+  if (!inOrder)
+    return fault("its vertices are not in the order of first use, or not all used");
   putExtensions(out, mesh);
   const std::size_t size = out.size();
   std::vector<std::uint8_t> bytes = out.take();

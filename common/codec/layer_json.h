@@ -43,13 +43,16 @@ struct LayerJson {
   std::vector<Level> levels;
 };
 
-/// The text of layer.json, two-space indented, keys in a fixed order, numbers shortest-exact.
+/// The text of layer.json, two-space indented, keys in a fixed order, numbers shortest-exact; what is
+/// not a number becomes null.
 std::string writeLayerJson(const LayerJson& layer);
 
 /// Reads a layer.json of any producer: absent keys take CesiumJS's defaults, unknown ones are
 /// passed over, the legacy extension name "vertexnormals" is kept as it stands. Code::input with
 /// one sentence where the text is not JSON, is nested deeper than 64 or larger than 256 MB, where
-/// `format` is another one, `tiles` is missing or a range is absurd.
+/// `format` is another one, `tiles` is missing, `projection` or `scheme` is one that CesiumJS does not
+/// know, a range lies outside its level's matrix or `available` goes deeper than kMaxZoom. Other keys
+/// with a value of the wrong kind are as if absent. An absent `maxzoom` is the deepest level listed.
 Result<LayerJson> readLayerJson(const std::string& text);
 
 }  // namespace qmesh

@@ -19,11 +19,23 @@ Index previous(Index h) {
   return h % 3 == 0 ? h + 2 : h - 1;
 }
 
-/// An edge as its two vertices, the lower number first.
-std::pair<Index, Index> edgeOf(const std::vector<Index>& indices, Index h) {
-  const Index a = indices[h];
-  const Index b = indices[next(h)];
-  return {std::min(a, b), std::max(a, b)};
+/// An edge by its two vertices, whichever way it runs.
+struct EdgeName {
+  Index low;
+  Index high;
+  bool operator==(const EdgeName& o) const { return ((low ^ o.low) | (high ^ o.high)) == 0; }
+};
+
+/// The edge of every half-edge.
+std::vector<EdgeName> nameEdges(const std::vector<Index>& indices) {
+  std::vector<EdgeName> edges(indices.size());
+  for (std::size_t h = 0; h < indices.size(); h += 3) {
+    const Index a = indices[h], b = indices[h + 1], c = indices[h + 2];
+    edges[h] = {std::min(a, b), std::max(a, b)};
+    edges[h + 1] = {std::min(b, c), std::max(b, c)};
+    edges[h + 2] = {std::min(c, a), std::max(c, a)};
+  }
+  return edges;
 }
 
 /// Where each vertex's share begins in an array of half-edges sorted by vertex, from how many it
@@ -36,32 +48,32 @@ void countsToStarts(std::vector<Index>& counts) {
 
 /// The half-edges sorted by edge: by the higher vertex, then, keeping that order, by the lower. Two
 /// counting sorts take linear time and, unlike lists per vertex, no branch that cannot be foretold.
-std::vector<Index> sortByEdge(const std::vector<Index>& indices, std::size_t vertexCount) {
-  const Index count = Index(indices.size());
+std::vector<Index> sortByEdge(const std::vector<EdgeName>& edges, std::size_t vertexCount) {
+  const Index count = Index(edges.size());
   std::vector<Index> lowStart(vertexCount, 0), highStart(vertexCount, 0);
-  for (Index h = 0; h < count; ++h) {
-    const auto [low, high] = edgeOf(indices, h);
-    ++lowStart[low];
-    ++highStart[high];
+  for (const EdgeName& edge : edges) {
+    ++lowStart[edge.low];
+    ++highStart[edge.high];
   }
   countsToStarts(lowStart);
   countsToStarts(highStart);
   std::vector<Index> byHigh(count), byEdge(count);
   for (Index h = 0; h < count; ++h)
-    byHigh[highStart[edgeOf(indices, h).second]++] = h;
+    byHigh[highStart[edges[h].high]++] = h;
   for (const Index h : byHigh)
-    byEdge[lowStart[edgeOf(indices, h).first]++] = h;
+    byEdge[lowStart[edges[h].low]++] = h;
   return byEdge;
 }
 
 /// For every half-edge the one that runs along the same edge in the triangle beyond, or kNone.
 std::vector<Index> findTwins(const std::vector<Index>& indices, std::size_t vertexCount) {
-  const std::vector<Index> byEdge = sortByEdge(indices, vertexCount);
+  const std::vector<EdgeName> edges = nameEdges(indices);
+  const std::vector<Index> byEdge = sortByEdge(edges, vertexCount);
   std::vector<Index> twins(indices.size(), kNone);
   for (std::size_t i = 1; i < byEdge.size(); ++i) {
     const Index g = byEdge[i - 1];
     const Index h = byEdge[i];
-    if (edgeOf(indices, g) == edgeOf(indices, h)) {
+    if (edges[g] == edges[h]) {
       twins[g] = h;
       twins[h] = g;
     }
