@@ -15,8 +15,6 @@
 namespace qmesh {
 namespace {
 
-constexpr int kLevel = 6; // twenty times faster than the last levels for 4 % more bytes
-
 /// Shortest member: header, empty block, checksum, size.
 constexpr std::size_t kLeastMember = 10 + 2 + 8;
 
@@ -43,10 +41,10 @@ bool isGzip(const std::uint8_t* data, std::size_t size) {
 #ifdef QMESH_HAVE_LIBDEFLATE
 
 struct GzipCompressor::Impl {
-  libdeflate_compressor* const state = libdeflate_alloc_compressor(kLevel);
+  libdeflate_compressor* const state;
   std::vector<std::uint8_t> room;
 
-  Impl() {
+  explicit Impl(int level) : state(libdeflate_alloc_compressor(level)) {
     if (!state)
       throw std::bad_alloc();
   }
@@ -81,9 +79,9 @@ struct GzipCompressor::Impl {
   z_stream state{};
   std::vector<std::uint8_t> room;
 
-  Impl() {
+  explicit Impl(int level) {
     constexpr int kGzipWindow = 15 + 16, kMemory = 8;
-    if (deflateInit2(&state, kLevel, Z_DEFLATED, kGzipWindow, kMemory, Z_DEFAULT_STRATEGY) != Z_OK)
+    if (deflateInit2(&state, level, Z_DEFLATED, kGzipWindow, kMemory, Z_DEFAULT_STRATEGY) != Z_OK)
       throw std::bad_alloc();
   }
   ~Impl() { deflateEnd(&state); }
@@ -122,7 +120,7 @@ bool unpack(const std::uint8_t* data, std::size_t size, std::uint8_t* out, std::
 
 #endif
 
-GzipCompressor::GzipCompressor() : impl_(std::make_unique<Impl>()) {}
+GzipCompressor::GzipCompressor(int level) : impl_(std::make_unique<Impl>(level)) {}
 GzipCompressor::~GzipCompressor() = default;
 
 std::vector<std::uint8_t> GzipCompressor::compress(const std::vector<std::uint8_t>& bytes) {
