@@ -27,4 +27,4 @@ using Border = std::array<std::vector<std::uint16_t>, 4>;
 void makeBorder(const HeightTile& tile, const TileFrame& frame, const LevelParams& level,
                 Border& border);
 
-}  // namespace qmesh
+} // namespace qmesh

@@ -10,9 +10,9 @@ namespace qmesh {
 
 /// How far a TIN is from the nodes it stands for.
 struct ErrorMeasure {
-  double max = 0;         ///< metres
-  double sumSquared = 0;  ///< square metres, each of the (N+1)^2 nodes once
-  int worstColumn = 0;    ///< node of `max`
+  double max = 0;        ///< metres
+  double sumSquared = 0; ///< square metres, each of the (N+1)^2 nodes once
+  int worstColumn = 0;   ///< node of `max`
   int worstRow = 0;
 };
 
@@ -21,4 +21,4 @@ struct ErrorMeasure {
 /// REQUIRES: the TIN covers the square.
 ErrorMeasure measureError(const HeightTile& tile, const TileFrame& frame, const Tin& tin);
 
-}  // namespace qmesh
+} // namespace qmesh

@@ -10,9 +10,9 @@ namespace qmesh {
 /// agree (docs/architecture.md, "One definition of a node").
 struct LevelParams {
   int zoom = 0;
-  double maxError = 0;     ///< e, metres, >= 0
-  double latticeStep = 1;  ///< S, metres, a power of two: see latticeStep()
-  int baseGrid = 1;        ///< cells per edge of the curvature grid, a power of two, 1..N
+  double maxError = 0;    ///< e, metres, >= 0
+  double latticeStep = 1; ///< S, metres, a power of two: see latticeStep()
+  int baseGrid = 1;       ///< cells per edge of the curvature grid, a power of two, 1..N
 };
 
 /// The step S of the level's height lattice, metres: the smallest power of two with
@@ -27,4 +27,4 @@ int curvatureGrid(const Scheme& scheme, int zoom, double maxErrorMetres, int cel
 
 LevelParams levelParams(const Scheme& scheme, int zoom, double maxErrorMetres, int cellsPerTile);
 
-}  // namespace qmesh
+} // namespace qmesh

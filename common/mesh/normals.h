@@ -19,6 +19,7 @@ Vec3 nodeNormal(const HeightTile& tile, int i, int j);
 
 /// octvertexnormals of the TIN's vertices, two bytes each, in vertex order: each from the node
 /// nearest to the vertex.
-std::vector<std::uint8_t> octNormals(const HeightTile& tile, const TileFrame& frame, const Tin& tin);
+std::vector<std::uint8_t> octNormals(const HeightTile& tile, const TileFrame& frame,
+                                     const Tin& tin);
 
-}  // namespace qmesh
+} // namespace qmesh

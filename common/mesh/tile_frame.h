@@ -12,6 +12,9 @@ namespace qmesh {
 
 inline constexpr int kQuantizedMax = 32767;
 
+/// The multiple of the lattice's step nearest to a height (half a step rounds up), metres.
+double roundToLattice(double height, double step);
+
 /// The frame in which a tile is decoded: where its nodes lie in (u, v) and what its heights mean.
 /// A pure function of the height tile and the level. Positions are in quantized units, 0..32767
 /// from west to east and from south to north (v linear in latitude in both profiles).
@@ -32,8 +35,10 @@ class TileFrame {
   int nearestColumn(std::uint16_t u) const;
   int nearestRow(std::uint16_t v) const;
 
-  float minHeight() const { return min_; }  ///< header, a multiple of S (in a coarse tile: of its step)
-  float maxHeight() const { return max_; }  ///< header, min + 32767 S / n rounded to float32
+  float minHeight() const {
+    return min_;
+  } ///< header, a multiple of S (in a coarse tile: of its step)
+  float maxHeight() const { return max_; } ///< header, min + 32767 S / n rounded to float32
 
   /// Height of quantized height q, as a client decodes it: min + q / 32767 * (max - min).
   double decode(std::uint16_t q) const { return double(min_) + double(q) * step_; }
@@ -48,6 +53,8 @@ class TileFrame {
   double coarseStep() const { return coarseStep_; }
 
  private:
+  void setPositions(const HeightTile& tile);
+
   int cells_ = 0;
   std::vector<double> nodeU_, nodeV_;
   std::vector<std::uint16_t> u_, v_;
@@ -56,8 +63,8 @@ class TileFrame {
   double step_ = 0;        ///< (max - min) / 32767 from the float32 values
   double latticeStep_ = 1; ///< S, or the coarser one
   int divisions_ = 1;      ///< n
-  std::int64_t minMultiple_ = 0;  ///< min / S
+  double minMultiple_ = 0; ///< min / S, whole
   double coarseStep_ = 0;
 };
 
-}  // namespace qmesh
+} // namespace qmesh

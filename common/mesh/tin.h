@@ -12,16 +12,16 @@ namespace qmesh {
 struct TinVertex {
   std::uint16_t u = 0;
   std::uint16_t v = 0;
-  std::uint16_t q = 0;  ///< quantized height, see TileFrame
+  std::uint16_t q = 0; ///< quantized height, see TileFrame
 };
 
 using TinTriangle = std::array<std::uint32_t, 3>;
 
 /// Why a simplifier stopped.
 enum class StopReason {
-  maxError,      ///< every node is within the level's max error
-  allNodes,      ///< every node is a vertex
-  quantization,  ///< rounding to the tile's frame alone exceeds the max error
+  maxError,     ///< every node is within the level's max error
+  allNodes,     ///< every node is a vertex
+  quantization, ///< rounding to the tile's frame alone exceeds the max error
 };
 
 /// A triangulation of exactly the tile's square: manifold, counter-clockwise in (u, v), no
@@ -29,8 +29,8 @@ enum class StopReason {
 struct Tin {
   std::vector<TinVertex> vertices;
   std::vector<TinTriangle> triangles;
-  double maxError = 0;         ///< metres, over all (N+1)^2 nodes, after quantization
-  double sumSquaredError = 0;  ///< square metres, over the same nodes
+  double maxError = 0;        ///< metres, over all (N+1)^2 nodes, after quantization
+  double sumSquaredError = 0; ///< square metres, over the same nodes
   StopReason reason = StopReason::maxError;
 
   void clear() {
@@ -41,4 +41,4 @@ struct Tin {
   }
 };
 
-}  // namespace qmesh
+} // namespace qmesh

@@ -17,7 +17,7 @@ namespace qmesh {
 
 /// What the methods may be told beside the level's parameters.
 struct MethodOptions {
-  bool decimate = true;  ///< greedy: the bounded decimation pass
+  bool decimate = true; ///< greedy: the bounded decimation pass
 };
 
 /// Turns the nodes of one tile into a TIN. An instance owns its scratch memory and serves one
@@ -37,10 +37,10 @@ class Simplifier {
 
 /// One row a method.
 struct SimplifierInfo {
-  const char* name;       ///< as in --method
-  const char* category;   ///< "refinement", "reference", ...
-  const char* sentence;   ///< for --help
-  bool boundsError;       ///< promise P2 holds
+  const char* name;     ///< as in --method
+  const char* category; ///< "refinement", "reference", ...
+  const char* sentence; ///< for --help
+  bool boundsError;     ///< promise P2 holds
   std::unique_ptr<Simplifier> (*create)(const MethodOptions&);
 };
 
@@ -49,4 +49,4 @@ const std::vector<SimplifierInfo>& simplifiers();
 /// nullptr when there is no such method.
 const SimplifierInfo* findSimplifier(const std::string& name);
 
-}  // namespace qmesh
+} // namespace qmesh

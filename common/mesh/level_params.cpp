@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the qmesh authors
+#include "mesh/level_params.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geo/ellipsoid.h"
+#include "mesh/tile_frame.h"
+
+namespace qmesh {
+
+namespace {
+
+constexpr double kFinestStep = 1.0 / 1024;
+
+} // namespace
+
+double latticeStep(const Scheme& scheme, int zoom, double maxErrorMetres) {
+  const double range = std::min(double(kQuantizedMax), 4 * scheme.tileMetres(zoom));
+  double step = kFinestStep;
+  while (kQuantizedMax * step < range)
+    step *= 2;
+  while (step > kFinestStep && step > maxErrorMetres / 2)
+    step /= 2;
+  return step;
+}
+
+int curvatureGrid(const Scheme& scheme, int zoom, double maxErrorMetres, int cellsPerTile) {
+  const double tileRadians = 2 * wgs84::kPi / scheme.tilesX(zoom);
+  const double cellRadians = std::sqrt(4 * maxErrorMetres / wgs84::kSemiMajor);
+  int cells = 1;
+  while (cells < cellsPerTile && cells * cellRadians < tileRadians)
+    cells *= 2;
+  return cells;
+}
+
+LevelParams levelParams(const Scheme& scheme, int zoom, double maxErrorMetres, int cellsPerTile) {
+  LevelParams level;
+  level.zoom = zoom;
+  level.maxError = maxErrorMetres;
+  level.latticeStep = latticeStep(scheme, zoom, maxErrorMetres);
+  level.baseGrid = curvatureGrid(scheme, zoom, maxErrorMetres, cellsPerTile);
+  return level;
+}
+
+} // namespace qmesh

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the qmesh authors
+#include <cmath>
+
+#include "mesh/error_measure.h"
+#include "simplify/methods.h"
+
+namespace qmesh {
+
+namespace {
+
+/// The grid of all nodes, each cell cut along the diagonal whose ends differ less in height.
+class AllNodes final : public Simplifier {
+ public:
+  Status simplify(const HeightTile& tile, const TileFrame& frame, const Border&, const LevelParams&,
+                  Tin& out) override {
+    out.clear();
+    addVertices(tile, frame, out);
+    addTriangles(tile, out);
+    const ErrorMeasure measure = measureError(tile, frame, out);
+    out.maxError = measure.max;
+    out.sumSquaredError = measure.sumSquared;
+    out.reason = StopReason::allNodes;
+    return {};
+  }
+
+  bool usesAllNodes() const override { return true; }
+
+ private:
+  static void addVertices(const HeightTile& tile, const TileFrame& frame, Tin& out) {
+    const int n = tile.cells();
+    for (int j = 0; j <= n; ++j) {
+      for (int i = 0; i <= n; ++i) {
+        const bool border = i == 0 || j == 0 || i == n || j == n;
+        const float height = tile.at(i, j);
+        out.vertices.push_back({frame.u(i), frame.v(j),
+                                border ? frame.quantizeBorder(height) : frame.quantize(height)});
+      }
+    }
+  }
+
+  static void addTriangles(const HeightTile& tile, Tin& out) {
+    const int n = tile.cells();
+    for (int j = 0; j < n; ++j) {
+      for (int i = 0; i < n; ++i) {
+        const auto sw = std::uint32_t(j * (n + 1) + i);
+        const std::uint32_t se = sw + 1, nw = sw + std::uint32_t(n) + 1, ne = nw + 1;
+        const float rising = std::abs(tile.at(i + 1, j + 1) - tile.at(i, j));
+        const float falling = std::abs(tile.at(i, j + 1) - tile.at(i + 1, j));
+        if (rising <= falling) {
+          out.triangles.push_back({sw, se, ne});
+          out.triangles.push_back({sw, ne, nw});
+        } else {
+          out.triangles.push_back({sw, se, nw});
+          out.triangles.push_back({se, ne, nw});
+        }
+      }
+    }
+  }
+};
+
+} // namespace
+
+std::unique_ptr<Simplifier> createAllNodes(const MethodOptions&) {
+  return std::make_unique<AllNodes>();
+}
+
+} // namespace qmesh

@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the qmesh authors
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstring>
+
+#include "mesh/error_measure.h"
+#include "simplify/methods.h"
+#include "simplify/node_heights.h"
+#include "simplify/triangulation.h"
+
+namespace qmesh {
+
+namespace {
+
+/// A node to insert and the triangle it is the worst of.
+struct Candidate {
+  std::uint64_t order; ///< largest error first, then smallest node
+  std::int32_t node;
+  std::int32_t triangle;
+
+  bool operator<(const Candidate& o) const { return order < o.order; }
+};
+
+Candidate makeCandidate(const NodeError& worst, std::int32_t triangle) {
+  std::uint32_t bits = 0; // those of floats >= 0 are in the order of their values
+  std::memcpy(&bits, &worst.error, sizeof bits);
+  return {std::uint64_t(~bits) << 32 | std::uint32_t(worst.node), worst.node, triangle};
+}
+
+/// Garland & Heckbert, "Fast polygonal approximation of terrains and height fields" (1995), with
+/// rounds in the place of the heap: all changed triangles are scanned, their worst nodes sorted,
+/// and those go in whose triangle is still the one that was scanned.
+class Greedy final : public Simplifier {
+ public:
+  explicit Greedy(const MethodOptions& options) : options_(options) {}
+
+  Status simplify(const HeightTile& tile, const TileFrame& frame, const Border& border,
+                  const LevelParams& level, Tin& out) override;
+
+ private:
+  void start(const Border& border, int baseGrid);
+  void insertEdge(const std::vector<std::uint16_t>& nodes, Edge edge);
+  void insertNode(int i, int j, std::int32_t hint);
+  NodeVertex makeVertex(int i, int j) const;
+  void maskBorder();
+  float scanTolerance(double maxError) const;
+  template <class Scan> bool refine(Scan scan);
+  NodeError exactWorst(std::int32_t t, double tolerance) const;
+  void finish(const LevelParams& level, Tin& out);
+  void write(Tin& out);
+
+  MethodOptions options_;
+  const HeightTile* tile_ = nullptr;
+  const TileFrame* frame_ = nullptr;
+  Triangulation mesh_;
+  NodeHeights heights_;
+  std::vector<double> nodeV_;
+  std::vector<Candidate> candidates_;
+  std::vector<std::int32_t> scanList_;
+  std::vector<std::uint32_t> newIndex_;
+};
+
+Status Greedy::simplify(const HeightTile& tile, const TileFrame& frame, const Border& border,
+                        const LevelParams& level, Tin& out) {
+  assert(tile.cells() == frame.cells());
+  tile_ = &tile;
+  frame_ = &frame;
+  heights_.reset(tile, frame);
+  start(border, level.baseGrid);
+  const float tolerance = scanTolerance(level.maxError);
+  refine([&](std::int32_t t) {
+    return heights_.worst(mesh_.cornerOf(t, 0).corner, mesh_.cornerOf(t, 1).corner,
+                          mesh_.cornerOf(t, 2).corner, tolerance);
+  });
+  finish(level, out);
+  return {};
+}
+
+/// The corners, the border and the curvature grid.
+void Greedy::start(const Border& border, int baseGrid) {
+  const int n = frame_->cells();
+  nodeV_.clear();
+  for (int j = 0; j <= n; ++j)
+    nodeV_.push_back(frame_->nodeV(j));
+  mesh_.reset({makeVertex(0, 0), makeVertex(n, 0), makeVertex(n, n), makeVertex(0, n)});
+  maskBorder();
+  for (const Edge edge : {kWest, kSouth, kEast, kNorth})
+    insertEdge(border[edge], edge);
+  const int baseCells = n / baseGrid;
+  for (int j = baseCells; j < n; j += baseCells) {
+    for (int i = baseCells; i < n; i += baseCells)
+      insertNode(i, j, mesh_.changed().back());
+  }
+}
+
+void Greedy::insertEdge(const std::vector<std::uint16_t>& nodes, Edge edge) {
+  const int n = frame_->cells();
+  for (std::size_t k = 1; k + 1 < nodes.size(); ++k) {
+    const bool alongRow = edge == kSouth || edge == kNorth;
+    const int across = edge == kEast || edge == kNorth ? n : 0;
+    insertNode(alongRow ? nodes[k] : across, alongRow ? across : nodes[k], mesh_.changed().back());
+  }
+}
+
+NodeVertex Greedy::makeVertex(int i, int j) const {
+  const int n = frame_->cells();
+  const bool border = i == 0 || j == 0 || i == n || j == n;
+  const float height = tile_->at(i, j);
+  NodeVertex vertex;
+  vertex.i = std::uint16_t(i);
+  vertex.j = std::uint16_t(j);
+  vertex.q = border ? frame_->quantizeBorder(height) : frame_->quantize(height);
+  vertex.corner.u = frame_->u(i);
+  vertex.corner.v = frame_->v(j);
+  vertex.corner.column = spanColumn(vertex.corner.u, n);
+  vertex.corner.height = frame_->decode(vertex.q) - frame_->minHeight();
+  vertex.corner.row = j + (frame_->nodeV(j) < frame_->v(j) ? 1 : 0);
+  return vertex;
+}
+
+void Greedy::insertNode(int i, int j, std::int32_t hint) {
+  mesh_.insert(makeVertex(i, j), hint);
+  heights_.mask(heights_.index(i, j));
+}
+
+/// The border's vertices are given; its other nodes have no say.
+void Greedy::maskBorder() {
+  const int n = frame_->cells();
+  for (int k = 0; k <= n; ++k) {
+    heights_.mask(heights_.index(k, 0));
+    heights_.mask(heights_.index(k, n));
+    heights_.mask(heights_.index(0, k));
+    heights_.mask(heights_.index(n, k));
+  }
+}
+
+/// The max error less what the float32 arithmetic of the scan may get wrong.
+float Greedy::scanTolerance(double maxError) const {
+  const double margin = double(heights_.range()) / (1 << 21);
+  return float(maxError - std::min(margin, maxError / 16));
+}
+
+/// Rounds of scanning what has changed and inserting what was found, until there is nothing to
+/// insert. True when any node went in.
+template <class Scan> bool Greedy::refine(Scan scan) {
+  bool any = false;
+  while (!mesh_.changed().empty()) {
+    scanList_.swap(mesh_.changed());
+    mesh_.changed().clear();
+    candidates_.clear();
+    for (const std::int32_t t : scanList_) {
+      mesh_.clearChanged(t);
+      const NodeError worst = scan(t);
+      if (worst.node >= 0)
+        candidates_.push_back(makeCandidate(worst, t));
+    }
+    std::sort(candidates_.begin(), candidates_.end());
+    for (const Candidate& candidate : candidates_) {
+      if (mesh_.isChanged(candidate.triangle) || heights_.isMasked(candidate.node))
+        continue;
+      insertNode(heights_.column(candidate.node), heights_.row(candidate.node), candidate.triangle);
+      any = true;
+    }
+  }
+  return any;
+}
+
+/// The unmasked node of a triangle with the largest error above the tolerance, in the arithmetic of
+/// measureError().
+NodeError Greedy::exactWorst(std::int32_t t, double tolerance) const {
+  SpanCorner corners[3];
+  for (int k = 0; k < 3; ++k) {
+    corners[k] = mesh_.cornerOf(t, k).corner;
+    corners[k].height = frame_->decode(mesh_.cornerOf(t, k).q);
+  }
+  const int cells = frame_->cells();
+  const double slope = heightPerColumn(corners[0], corners[1], corners[2], cells);
+  double worst = tolerance;
+  NodeError found;
+  const auto visit = [&](int j, int i0, int i1, double height) {
+    const float* row = tile_->row(j);
+    for (int i = i0; i < i1; ++i) {
+      const double error = std::abs(height + (i - i0) * slope - row[i]);
+      if (error > worst && !heights_.isMasked(heights_.index(i, j))) {
+        worst = error;
+        found = {heights_.index(i, j), float(error)};
+      }
+    }
+  };
+  forEachSpan(corners[0], corners[1], corners[2], nodeV_.data(), cells, slope, visit);
+  return found;
+}
+
+/// Writes the TIN, and as long as the exact measure finds nodes beyond the max error inserts more.
+void Greedy::finish(const LevelParams& level, Tin& out) {
+  bool inserted = true;
+  ErrorMeasure measure;
+  while (true) {
+    write(out);
+    measure = measureError(*tile_, *frame_, out);
+    if (measure.max <= level.maxError || !inserted)
+      break;
+    for (std::int32_t t = 0; t < mesh_.triangleSlots(); ++t) {
+      if (mesh_.alive(t))
+        mesh_.markChanged(t);
+    }
+    inserted = refine([&](std::int32_t t) { return exactWorst(t, level.maxError); });
+  }
+  const auto allNodes = std::size_t(frame_->cells() + 1) * std::size_t(frame_->cells() + 1);
+  out.maxError = measure.max;
+  out.sumSquaredError = measure.sumSquared;
+  out.reason = out.vertices.size() == allNodes ? StopReason::allNodes
+               : measure.max <= level.maxError ? StopReason::maxError
+                                               : StopReason::quantization;
+}
+
+void Greedy::write(Tin& out) {
+  out.clear();
+  newIndex_.assign(mesh_.vertices().size(), 0);
+  for (std::size_t v = 0; v < mesh_.vertices().size(); ++v) {
+    if (mesh_.leaving(std::int32_t(v)) == Triangulation::kNone)
+      continue;
+    const NodeVertex& vertex = mesh_.vertices()[v];
+    newIndex_[v] = std::uint32_t(out.vertices.size());
+    out.vertices.push_back(
+        {std::uint16_t(vertex.corner.u), std::uint16_t(vertex.corner.v), vertex.q});
+  }
+  for (std::int32_t t = 0; t < mesh_.triangleSlots(); ++t) {
+    if (!mesh_.alive(t))
+      continue;
+    const auto index = [&](int k) { return newIndex_[std::size_t(mesh_.origin(3 * t + k))]; };
+    out.triangles.push_back({index(0), index(1), index(2)});
+  }
+}
+
+} // namespace
+
+std::unique_ptr<Simplifier> createGreedy(const MethodOptions& options) {
+  return std::make_unique<Greedy>(options);
+}
+
+} // namespace qmesh

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the qmesh authors
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "grid/height_tile.h"
+#include "mesh/tile_frame.h"
+#include "mesh/triangle_spans.h"
+
+namespace qmesh {
+
+/// A node of the tile and how far a triangle's plane is from it.
+struct NodeError {
+  std::int32_t node = -1; ///< NodeHeights::index, -1: none
+  float error = 0;        ///< metres
+};
+
+/// The node heights of one tile for the fast scan: float32 metres above the frame's minimum. A node
+/// that needs no more attention (a vertex, a node of the border) is masked and never found.
+class NodeHeights {
+ public:
+  void reset(const HeightTile& tile, const TileFrame& frame);
+
+  std::int32_t index(int i, int j) const { return j * stride_ + i; }
+  int column(std::int32_t node) const { return node % stride_; }
+  int row(std::int32_t node) const { return node / stride_; }
+
+  void mask(std::int32_t node);
+  void unmask(std::int32_t node, float heightAboveMinimum);
+  bool isMasked(std::int32_t node) const;
+
+  /// The unmasked node of a counter-clockwise triangle whose error is largest and above the
+  /// tolerance; of equal ones the smallest index. Corner heights are above the frame's minimum.
+  NodeError worst(const SpanCorner& a, const SpanCorner& b, const SpanCorner& c,
+                  float tolerance) const;
+
+  /// Height range of the tile, metres: the scan's rounding error is a few float32 digits of it.
+  float range() const { return range_; }
+
+ private:
+  std::vector<float> heights_; ///< (N+1) rows of stride_ floats and one vector's worth behind
+  std::vector<double> nodeV_;
+  std::int32_t stride_ = 0;
+  int cells_ = 0;
+  float range_ = 0;
+};
+
+} // namespace qmesh

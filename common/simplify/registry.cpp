@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the qmesh authors
+#include "simplify/methods.h"
+
+namespace qmesh {
+
+const std::vector<SimplifierInfo>& simplifiers() {
+  static const std::vector<SimplifierInfo> rows = {
+      {"greedy", "refinement", "inserts the worst node until all are within the max error", true,
+       createGreedy},
+      {"delaunay", "reference", "keeps every node: the reference to compare with", false,
+       createAllNodes},
+  };
+  return rows;
+}
+
+const SimplifierInfo* findSimplifier(const std::string& name) {
+  for (const SimplifierInfo& info : simplifiers()) {
+    if (name == info.name)
+      return &info;
+  }
+  return nullptr;
+}
+
+} // namespace qmesh
