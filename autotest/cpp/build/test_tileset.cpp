@@ -2,6 +2,7 @@
 // Copyright (c) 2026 the qmesh authors
 #include <set>
 
+#include "border/border.h"
 #include "codec/layer_json.h"
 #include "synthetic.h"
 
@@ -11,12 +12,12 @@ namespace {
 using synthetic::Sink;
 using synthetic::Source;
 
-Source globe() {
-  Source source;
-  source.boxes = {{-180, -90, 180, 90}};
-  source.zoom = 3;
-  return source;
-}
+struct Globe : Source {
+  Globe() {
+    boxes = {{-180, -90, 180, 90}};
+    zoom = 3;
+  }
+};
 
 TileMesh decoded(const Sink& sink, TileId id) {
   const auto found = sink.files.find(Sink::nameOf(id));
@@ -62,7 +63,7 @@ TEST(Tileset, WholeGlobeWithoutASeam) {
     BuildOptions options = synthetic::smallOptions();
     options.profile = profile;
     Sink sink;
-    const BuildReport report = synthetic::build(options, globe(), sink);
+    const BuildReport report = synthetic::build(options, Globe(), sink);
     const Scheme scheme(profile == ProfileChoice::geodetic ? Profile::geodetic : Profile::mercator);
     for (int z = 0; z <= 3; ++z) {
       const std::uint32_t columns = scheme.tilesX(z);
@@ -80,7 +81,7 @@ TEST(Tileset, WholeGlobeWithoutASeam) {
 }
 
 TEST(Tileset, EveryNodeIsSampledOnce) {
-  const Source source = globe();
+  const Globe source;
   Sink sink;
   BuildOptions options = synthetic::smallOptions();
   options.blockTiles = 8;
@@ -93,7 +94,7 @@ TEST(Tileset, EveryNodeIsSampledOnce) {
 
 TEST(Tileset, PolesHaveOneHeight) {
   Sink sink;
-  synthetic::build(synthetic::smallOptions(), globe(), sink);
+  synthetic::build(synthetic::smallOptions(), Globe(), sink);
   for (int z = 0; z <= 3; ++z) {
     for (std::uint32_t x = 0; x < (2u << z); ++x) {
       for (const EdgeVertex& v : edgeOf(decoded(sink, {z, x, (1u << z) - 1}), kNorth)) {
@@ -160,7 +161,7 @@ TEST(Tileset, BridgedVoidsAreSmooth) {
 }
 
 TEST(Tileset, InterruptAndFailureAbandonTheSink) {
-  const Source source = globe();
+  const Globe source;
   const BuildOptions options = synthetic::smallOptions();
   std::vector<std::string> warnings;
   const auto plan = planPyramid(options, source, warnings);
@@ -183,7 +184,7 @@ TEST(Tileset, ProgressNeverGoesBack) {
   for (const auto fill : {VoidFill::value, VoidFill::interpolate}) {
     BuildOptions options = synthetic::smallOptions();
     options.voidFill = fill;
-    const Source source = globe();
+    const Globe source;
     std::vector<std::string> warnings;
     const auto plan = planPyramid(options, source, warnings);
     const auto blocks = planBlocks(options, *plan, source.bytesPerSource(), 2);
