@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the qmesh authors
+#pragma once
+
+#include <set>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+#include "../mesh/terrain.h"
+#include "simplify/simplifier.h"
+
+namespace qmesh::test {
+
+/// A tile with all that was made of it.
+struct Simplified {
+  LevelParams level;
+  TileFrame frame;
+  Border border;
+  Tin tin;
+};
+
+inline Simplified simplify(const HeightTile& tile, const LevelParams& level,
+                           Simplifier& simplifier) {
+  Simplified made;
+  made.level = level;
+  made.frame.reset(tile, level);
+  makeBorder(tile, made.frame, level, made.border);
+  EXPECT_TRUE(simplifier.simplify(tile, made.frame, made.border, level, made.tin).ok());
+  return made;
+}
+
+inline Simplified simplify(const HeightTile& tile, const LevelParams& level, bool decimate = true,
+                           const char* method = "greedy") {
+  const auto simplifier = findSimplifier(method)->create({decimate});
+  return simplify(tile, level, *simplifier);
+}
+
+/// The nodes (i, j) whose vertices lie on the square's edges or, `inner`, inside it.
+inline std::set<std::pair<int, int>> vertexNodes(const Simplified& made, bool inner) {
+  std::set<std::pair<int, int>> nodes;
+  const int n = made.frame.cells();
+  for (const TinVertex& vertex : made.tin.vertices) {
+    const int i = made.frame.nearestColumn(vertex.u), j = made.frame.nearestRow(vertex.v);
+    const bool border = i == 0 || j == 0 || i == n || j == n;
+    if (border != inner)
+      nodes.insert({i, j});
+  }
+  return nodes;
+}
+
+inline std::set<std::pair<int, int>> borderNodes(const Border& border, int cells) {
+  std::set<std::pair<int, int>> nodes;
+  for (const int k : border[kWest])
+    nodes.insert({0, k});
+  for (const int k : border[kSouth])
+    nodes.insert({k, 0});
+  for (const int k : border[kEast])
+    nodes.insert({cells, k});
+  for (const int k : border[kNorth])
+    nodes.insert({k, cells});
+  return nodes;
+}
+
+inline bool same(const Tin& a, const Tin& b) {
+  const auto sameVertex = [](const TinVertex& x, const TinVertex& y) {
+    return x.u == y.u && x.v == y.v && x.q == y.q;
+  };
+  return a.triangles == b.triangles && a.vertices.size() == b.vertices.size() &&
+         std::equal(a.vertices.begin(), a.vertices.end(), b.vertices.begin(), sameVertex) &&
+         a.maxError == b.maxError && a.sumSquaredError == b.sumSquaredError && a.reason == b.reason;
+}
+
+} // namespace qmesh::test
