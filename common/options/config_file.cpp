@@ -2,8 +2,9 @@
 // Copyright (c) 2026 the qmesh authors
 #include "options/config_file.h"
 
-#include <fstream>
-#include <iterator>
+#include <array>
+#include <cstdio>
+#include <memory>
 #include <optional>
 
 #include "base/text.h"
@@ -78,9 +79,14 @@ Result<std::vector<Assignment>> parseConfig(const OptionTable& table, const std:
 }
 
 Result<std::vector<Assignment>> readConfigFile(const OptionTable& table, const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-  if (!file.is_open() || file.bad())
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"),
+                                                             std::fclose);
+  std::string text;
+  std::array<char, 4096> buffer;
+  std::size_t got = 0;
+  while (file && (got = std::fread(buffer.data(), 1, buffer.size(), file.get())) > 0)
+    text.append(buffer.data(), got);
+  if (!file || std::ferror(file.get()))
     return Status(Code::usage, "--config-file " + path + ": cannot be read; is the path right?");
   return parseConfig(table, text, path);
 }
