@@ -3,12 +3,12 @@
 //
 //   node cesium_all_tiles.mjs SET_DIR [--samples samples.json] [--no-encoding]
 //
-// Loads every tile of a set's `available` with CesiumJS in a real Chromium: requestTileGeometry and
+// Loads every tile of a set with CesiumJS in a real Chromium: requestTileGeometry and
 // createMesh for each, no error, no line in the console. --samples: a JSON list of {lon, lat, height,
 // tolerance} (degrees, metres); sampleTerrainMostDetailed must give each height. --no-encoding: serve
 // without Content-Encoding: CesiumJS alone then reads only sets that are not compressed.
 import { readFile } from "node:fs/promises";
-import { Findings, availableTiles, parseArguments, readLayer } from "./lib/checks.mjs";
+import { Findings, allTiles, parseArguments, readLayer } from "./lib/checks.mjs";
 import { cesiumFolder, withPage } from "./lib/browser.mjs";
 import { serve } from "./lib/server.mjs";
 
@@ -66,15 +66,29 @@ async function openProvider(page, url) {
   }, url);
 }
 
-async function checkTiles(page, layer, findings) {
-  const tiles = [...availableTiles(layer)];
+/** Groups of a few tiles of one level: the metadata of a level must be there before the next one's turn. */
+function* portions(tiles) {
+  let portion = [];
+  for (const tile of tiles) {
+    if (portion.length === TILES_AT_ONCE || (portion[0] && portion[0].level !== tile.level)) {
+      yield portion;
+      portion = [];
+    }
+    portion.push(tile);
+  }
+  if (portion.length > 0) yield portion;
+}
+
+async function checkTiles(page, folder, findings) {
+  const layer = await readLayer(folder);
+  const tiles = await allTiles(folder, layer);
   let triangles = 0;
-  for (let first = 0; first < tiles.length; first += TILES_AT_ONCE) {
-    const result = await page.evaluate(meshTiles, tiles.slice(first, first + TILES_AT_ONCE));
+  for (const portion of portions(tiles)) {
+    const result = await page.evaluate(meshTiles, portion);
     findings.addAll(result.failures);
     triangles += result.triangles;
   }
-  if (tiles.length === 0) findings.add("layer.json lists no tile");
+  if (tiles.length === 0) findings.add("the set has no tile");
   const announced = (layer.extensions ?? []).includes("octvertexnormals");
   const hasNormals = await page.evaluate(() => window.provider.hasVertexNormals);
   if (announced !== hasNormals) findings.add(`normals announced: ${announced}, seen by CesiumJS: ${hasNormals}`);
@@ -98,7 +112,6 @@ async function checkSamples(page, file, findings) {
 async function main() {
   const { positional: [folder], options } = parseArguments(process.argv.slice(2), ["no-encoding"]);
   if (!folder) throw new Error("usage: cesium_all_tiles.mjs SET_DIR [--samples FILE] [--no-encoding]");
-  const layer = await readLayer(folder);
   const emptyPage = new URL("./lib/", import.meta.url).pathname;
   const mounts = { "": folder, Cesium: cesiumFolder, "client-test-page": emptyPage };
   const server = await serve(mounts, { encoding: !options["no-encoding"] });
@@ -107,7 +120,7 @@ async function main() {
   try {
     await withPage(async (page, problems) => {
       await openProvider(page, server.url);
-      done.push(await checkTiles(page, layer, findings));
+      done.push(await checkTiles(page, folder, findings));
       if (options.samples) done.push(await checkSamples(page, options.samples, findings));
       findings.addAll(problems);
     });

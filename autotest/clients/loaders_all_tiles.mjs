@@ -3,13 +3,13 @@
 //
 //   node loaders_all_tiles.mjs SET_DIR
 //
-// Parses every tile of a set's `available` with @loaders.gl/terrain: the counts it finds must be those of
+// Parses every tile of a set with @loaders.gl/terrain: the counts it finds must be those of
 // the file's own header, indices in range, heights within the header's. (It does not read extensions; CesiumJS does.)
 import { readFile } from "node:fs/promises";
 import { gunzipSync } from "node:zlib";
 import { parse } from "@loaders.gl/core";
 import { QuantizedMeshLoader } from "@loaders.gl/terrain";
-import { Findings, availableTiles, readLayer, tileFile } from "./lib/checks.mjs";
+import { Findings, allTiles, readLayer, tileFile } from "./lib/checks.mjs";
 
 /** What the file's fixed-size parts say: vertex count, triangle count, height range. */
 function headerOf(bytes) {
@@ -51,7 +51,7 @@ async function main() {
   const layer = await readLayer(folder);
   const findings = new Findings();
   let tiles = 0, vertices = 0, triangles = 0;
-  for (const tile of availableTiles(layer)) {
+  for (const tile of await allTiles(folder, layer)) {
     const name = `${tile.level}/${tile.x}/${tile.y}`;
     try {
       const result = await tileProblems(tileFile(folder, layer, tile));
@@ -63,7 +63,7 @@ async function main() {
     }
     ++tiles;
   }
-  if (tiles === 0) findings.add("layer.json lists no tile");
+  if (tiles === 0) findings.add("the set has no tile");
   findings.report(`loaders.gl parses it: ${tiles} tiles, ${vertices} vertices, ${triangles} triangles`);
 }
 

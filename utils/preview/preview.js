@@ -112,6 +112,11 @@
     return layer;
   }
 
+  /** Sets whose tiles list their descendants name only the first levels in `available`. */
+  function deepestLevel(layer) {
+    return layer.maxzoom ?? layer.available.length - 1;
+  }
+
   function makeViewer() {
     Cesium.Ion.defaultAccessToken = undefined;
     let viewer;
@@ -247,7 +252,7 @@
   }
 
   function describe(layer, hasNormals) {
-    const levels = layer.available.length - 1;
+    const levels = deepestLevel(layer);
     const parts = [layer.projection ?? "EPSG:4326", levels ? `levels 0 to ${levels}` : "level 0"];
     if (layer.qmesh?.method) parts.push(layer.qmesh.method);
     byId("about").textContent = parts.join(" · ");
@@ -270,7 +275,7 @@
     provider.errorEvent.addEventListener((error) => failures.push(error.message));
 
     const bounds = boundsOf(layer);
-    const range = await heightRange(provider, bounds, layer.available.length - 1);
+    const range = await heightRange(provider, bounds, deepestLevel(layer));
     const viewer = makeViewer();
     window.qmesh.viewer = viewer;
     const material = terrainMaterial(range);
