@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the qmesh authors
+#include "gdalio/directory_sink.h"
+
+#include <cerrno>
+#include <cstdlib>
+#include <mutex>
+
+#include <cpl_conv.h>
+#include <cpl_vsi.h>
+
+#include "gdalio/folder_lock.h"
+#include "gdalio/quiet_errors.h"
+#include "gdalio/set_swap.h"
+#include "gdalio/vsi_files.h"
+
+namespace qmesh {
+namespace {
+
+constexpr const char* kHiddenName = ".qmesh-build";
+constexpr const char* kLockName = "lock";
+
+/// OUTPUT as GDAL wants it: no slash at the end, and "./" before a relative path.
+std::string cleanPath(std::string path) {
+  while (path.size() > 1 && path.back() == '/')
+    path.pop_back();
+  const bool absolute = !path.empty() && path[0] == '/';
+  return absolute || path == "." || path.rfind("./", 0) == 0 ? path : "./" + path;
+}
+
+class DirectorySink : public TileSink {
+ public:
+  DirectorySink(std::string output, bool xyz)
+      : output_(std::move(output)), hidden_(output_ + "/" + kHiddenName), swap_(output_, hidden_),
+        xyz_(xyz) {}
+
+  ~DirectorySink() override { abandon(); }
+
+  /// Everything that can be refused before the work.
+  Status open(bool overwrite);
+
+  Status writeTile(TileId tile, const std::vector<std::uint8_t>& bytes) override;
+  Status writeFile(const std::string& name, const std::string& text) override;
+  Status commit(const std::string& layerJson) override;
+  void abandon() override;
+  Result<std::string> scratchFolder() override;
+
+ private:
+  Status takeFolder();
+  Status clearLeftover();
+  void close();
+
+  std::string output_, hidden_;
+  SetSwap swap_;
+  bool xyz_;
+  bool open_ = false;
+  bool keepHidden_ = false;       ///< it holds what could not be put back
+  std::vector<std::string> made_; ///< folders that were not there, the outermost first
+  FolderLock lock_;
+  std::mutex mutex_; ///< guards what follows
+  std::vector<std::string> files_;
+  std::string scratch_;
+};
+
+Status DirectorySink::open(bool overwrite) {
+  if (pathExists(output_) && !isFolder(output_))
+    return {Code::output, "'" + output_ + "' is a file; the output must be a folder"};
+  QMESH_RETURN_IF_ERROR(makeFolders(output_, &made_));
+  Status status = takeFolder();
+  if (status.ok() && !overwrite)
+    for (const std::string& name : listFolder(output_))
+      if (status.ok() && name != kHiddenName)
+        status = {Code::output, "the output folder '" + output_ +
+                                    "' is not empty; --overwrite replaces the set in it"};
+  if (!status.ok() && !open_) // nobody else's folder is touched
+    for (; !made_.empty(); made_.pop_back())
+      VSIRmdir(made_.back().c_str());
+  return status;
+}
+
+/// Makes the hidden folder ours and empty.
+Status DirectorySink::takeFolder() {
+  const bool isOurs =
+      !pathExists(hidden_) || pathExists(hidden_ + "/" + kLockName) || listFolder(hidden_).empty();
+  if (!isOurs)
+    return {Code::output, "'" + hidden_ + "' was not made by this program; move it elsewhere"};
+  QMESH_RETURN_IF_ERROR(makeFolders(hidden_));
+  Status locked = lock_.acquire(hidden_ + "/" + kLockName);
+  if (!locked.ok()) {
+    VSIRmdir(hidden_.c_str()); // fails, as it should, where another run works in it
+    return locked;
+  }
+  open_ = true;
+  return clearLeftover();
+}
+
+Status DirectorySink::clearLeftover() {
+  const Status undone = swap_.undo();
+  keepHidden_ = !undone.ok();
+  if (keepHidden_)
+    return {Code::output, "a run that was stopped left parts of the set in '" + hidden_ +
+                              "/old', and they cannot be put back: " + undone.message()};
+  for (const std::string& name : listFolder(hidden_))
+    if (name != kLockName)
+      removeTree(hidden_ + "/" + name);
+  return {};
+}
+
+Status DirectorySink::writeTile(TileId tile, const std::vector<std::uint8_t>& bytes) {
+  const std::uint32_t row = xyz_ ? (std::uint32_t(1) << tile.z) - 1 - tile.y : tile.y;
+  return writeWholeFile(swap_.newFolder() + "/" + std::to_string(tile.z) + "/" +
+                            std::to_string(tile.x) + "/" + std::to_string(row) + ".terrain",
+                        bytes.data(), bytes.size());
+}
+
+Status DirectorySink::writeFile(const std::string& name, const std::string& text) {
+  {
+    const std::lock_guard<std::mutex> guard(mutex_);
+    files_.push_back(name);
+  }
+  return writeWholeFile(swap_.newFolder() + "/" + name, text.data(), text.size());
+}
+
+Status DirectorySink::commit(const std::string& layerJson) {
+  QMESH_RETURN_IF_ERROR(
+      writeWholeFile(swap_.newFolder() + "/layer.json", layerJson.data(), layerJson.size()));
+  const Status status = swap_.run(files_);
+  keepHidden_ = !status.ok() && pathExists(hidden_ + "/journal");
+  if (status.ok()) {
+    made_.clear();
+    close();
+  }
+  return status;
+}
+
+void DirectorySink::abandon() {
+  if (open_)
+    close();
+}
+
+/// Removes the hidden folder, and the output folder if it is ours and empty.
+void DirectorySink::close() {
+  open_ = false;
+  QuietErrors errors;
+  if (!scratch_.empty())
+    removeTree(scratch_);
+  if (!keepHidden_)
+    for (const std::string& name : listFolder(hidden_))
+      if (name != kLockName)
+        removeTree(hidden_ + "/" + name);
+  if (keepHidden_)
+    return; // the journal stays behind, and says whose folder it is
+  lock_.release();
+  VSIRmdir(hidden_.c_str());
+  for (; !made_.empty(); made_.pop_back())
+    VSIRmdir(made_.back().c_str());
+}
+
+Result<std::string> DirectorySink::scratchFolder() {
+  const std::lock_guard<std::mutex> guard(mutex_);
+  if (!scratch_.empty())
+    return scratch_;
+  if (isLocalPath(output_)) {
+    QMESH_RETURN_IF_ERROR(makeFolders(hidden_ + "/scratch"));
+    scratch_ = hidden_ + "/scratch";
+    return scratch_;
+  }
+  std::string name =
+      std::string(CPLGetConfigOption("CPL_TMPDIR", CPLGetConfigOption("TMPDIR", "/tmp"))) +
+      "/qmesh-XXXXXX";
+  if (!mkdtemp(name.data()))
+    return outputError("no temporary folder '" + name + "' can be made", errno);
+  scratch_ = name;
+  return scratch_;
+}
+
+} // namespace
+
+Result<std::unique_ptr<TileSink>> openDirectorySink(const BuildOptions& options) {
+  auto sink = std::make_unique<DirectorySink>(cleanPath(options.output), options.xyz);
+  QuietErrors errors;
+  QMESH_RETURN_IF_ERROR(sink->open(options.overwrite));
+  return std::unique_ptr<TileSink>(std::move(sink));
+}
+
+} // namespace qmesh

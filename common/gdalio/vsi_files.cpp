@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the qmesh authors
+#include "gdalio/vsi_files.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <memory>
+#include <system_error>
+
+#include <cpl_string.h>
+#include <cpl_vsi.h>
+
+#include "gdalio/quiet_errors.h"
+
+namespace qmesh {
+namespace {
+
+constexpr long kFolderMode = 0777;
+
+/// Opens for writing; makes the folder when it is missing (the first file of each folder finds that
+/// out, so nobody needs a list of folders).
+VSILFILE* openForWriting(const std::string& path) {
+  VSILFILE* file = VSIFOpenL(path.c_str(), "wb");
+  if (file || errno != ENOENT)
+    return file;
+  const std::size_t slash = path.rfind('/');
+  if (slash == std::string::npos || !makeFolders(path.substr(0, slash)).ok())
+    return nullptr;
+  return VSIFOpenL(path.c_str(), "wb");
+}
+
+} // namespace
+
+bool isLocalPath(const std::string& path) {
+  return path.rfind("/vsi", 0) != 0;
+}
+
+bool pathExists(const std::string& path) {
+  VSIStatBufL info;
+  return VSIStatExL(path.c_str(), &info, VSI_STAT_EXISTS_FLAG) == 0;
+}
+
+bool isFolder(const std::string& path) {
+  VSIStatBufL info;
+  return VSIStatExL(path.c_str(), &info, VSI_STAT_EXISTS_FLAG | VSI_STAT_NATURE_FLAG) == 0 &&
+         VSI_ISDIR(info.st_mode);
+}
+
+std::vector<std::string> listFolder(const std::string& path) {
+  const CPLStringList names(VSIReadDir(path.c_str()));
+  std::vector<std::string> out;
+  for (int k = 0; k < names.Count(); ++k) {
+    std::string name = names[k];
+    while (!name.empty() && name.back() == '/')
+      name.pop_back();
+    if (!name.empty() && name != "." && name != "..")
+      out.push_back(std::move(name));
+  }
+  std::sort(out.begin(), out.end());
+  return out;
+}
+
+Status outputError(const std::string& sentence, int error) {
+  const std::string reason = error != 0 ? std::generic_category().message(error) : "reason unknown";
+  return {Code::output, sentence + ": " + reason};
+}
+
+Status makeFolders(const std::string& path, std::vector<std::string>* made) {
+  if (path.empty() || isFolder(path))
+    return {};
+  if (pathExists(path))
+    return {Code::output, "'" + path + "' is a file, so there can be no folder in its place"};
+  const std::size_t slash = path.rfind('/');
+  if (slash != std::string::npos && slash > 0)
+    QMESH_RETURN_IF_ERROR(makeFolders(path.substr(0, slash), made));
+  QuietErrors errors;
+  errno = 0;
+  if (VSIMkdir(path.c_str(), kFolderMode) == 0) {
+    if (made)
+      made->push_back(path);
+    return {};
+  }
+  const int error = errno;
+  return isFolder(path) ? Status() // another thread was faster
+                        : outputError("the folder '" + path + "' cannot be made", error);
+}
+
+Status writeWholeFile(const std::string& path, const void* bytes, std::size_t count) {
+  QuietErrors errors;
+  errno = 0;
+  VSILFILE* file = openForWriting(path);
+  if (!file)
+    return outputError("'" + path + "' cannot be written", errno);
+  const std::size_t written = count > 0 ? VSIFWriteL(bytes, 1, count, file) : 0;
+  const int writeError = errno;
+  const bool closed = VSIFCloseL(file) == 0;
+  if (written == count && closed)
+    return {};
+  return outputError("'" + path + "' cannot be written", written == count ? errno : writeError);
+}
+
+Status renamePath(const std::string& from, const std::string& to) {
+  QuietErrors errors;
+  errno = 0;
+  if (VSIRename(from.c_str(), to.c_str()) == 0)
+    return {};
+  return outputError("'" + from + "' cannot be moved to '" + to + "'", errno);
+}
+
+void removeTree(const std::string& path) {
+  QuietErrors errors;
+  if (VSIUnlink(path.c_str()) == 0)
+    return;
+  for (const std::string& name : listFolder(path))
+    removeTree(path + "/" + name);
+  VSIRmdir(path.c_str());
+}
+
+} // namespace qmesh
