@@ -117,12 +117,15 @@ Result<std::string> findCesium(const std::string& folder) {
                                  "holds Cesium.js, Workers and Widgets.");
 }
 
-Status copyCesium(const std::string& cesium, const std::string& output) {
+Status copyCesium(const std::string& folder, const std::string& output) {
+  const auto cesium = findCesium(folder);
+  if (!cesium.ok())
+    return cesium.status();
   const fs::path target = fs::path(output) / kCesiumFolder;
   const TemporaryFolder fresh(fs::path(output) / ".qmesh-cesium-new");
   const TemporaryFolder old(fs::path(output) / ".qmesh-cesium-old");
   std::error_code error;
-  fs::copy(cesium, fresh.path(), fs::copy_options::recursive, error);
+  fs::copy(*cesium, fresh.path(), fs::copy_options::recursive, error);
   const bool replaces = !error && fs::exists(target, error);
   if (!error && replaces)
     fs::rename(target, old.path(), error);
@@ -132,7 +135,7 @@ Status copyCesium(const std::string& cesium, const std::string& output) {
     std::error_code ignored;
     if (replaces && !fs::exists(target, ignored))
       fs::rename(old.path(), target, ignored);
-    return Status(Code::output, "cannot copy CesiumJS from \"" + cesium + "\" to \"" +
+    return Status(Code::output, "cannot copy CesiumJS from \"" + *cesium + "\" to \"" +
                                     target.string() + "\": " + error.message() +
                                     ". Make room or choose another output folder.");
   }

@@ -25,13 +25,14 @@ extern const char kCesiumFolder[];
 /// input's base name.
 std::vector<PreviewFile> previewFiles(const BuildOptions& options);
 
-/// What --cesium names, checked before the work starts: the folder with Cesium.js itself, where
+/// What --cesium names, to check before the work starts: the folder with Cesium.js itself, where
 /// `folder` is that or an unpacked release with Build/Cesium in it. Code::usage where there is
 /// none.
 Result<std::string> findCesium(const std::string& folder);
 
-/// Copies what findCesium() returned into `output`, a folder on a local disk, as kCesiumFolder; an
-/// earlier copy is replaced only by a complete new one. Code::output where that fails.
-Status copyCesium(const std::string& cesium, const std::string& output);
+/// Copies the CesiumJS that findCesium(folder) finds into `output`, a folder on a local disk, as
+/// kCesiumFolder; an earlier copy is replaced only by a complete new one. Code::output where that
+/// fails.
+Status copyCesium(const std::string& folder, const std::string& output);
 
 } // namespace qmesh
