@@ -13,7 +13,8 @@ namespace qmesh {
 /// Reads the bytes of a .terrain file (not compressed). Never reads outside [data, data + size),
 /// never allocates by a count that the bytes left could not hold, never yields an index out of
 /// range, a position or height above 32767, no triangle or a least or greatest height that is not a
-/// number (the rest of the header is as it stands). Unknown extensions are passed over. Code::input with one sentence on the first fault.
+/// number (the rest of the header is as it stands). Unknown extensions are passed over.
+/// Code::input with one sentence on the first fault.
 Result<TileMesh> decodeTile(const std::uint8_t* data, std::size_t size);
 
 }  // namespace qmesh

@@ -58,8 +58,11 @@ Vec3 horizonOcclusionPoint(const Vec3& direction, const std::vector<Vec3>& point
     return farPoint(points);
   const Vec3 unit = scaled * (1 / size);
   double least = 1;
-  for (const Vec3& p : points)
-    least = std::min(least, grazingCosine(unit, p));
+  for (const Vec3& p : points) {
+    const double cosine = grazingCosine(unit, p);
+    if (!(cosine >= least)) // also where it is not a number: a point in the earth's centre
+      least = cosine;
+  }
   least -= 4 * std::numeric_limits<double>::epsilon(); // rounding must not hide a point
   if (!(least > kLeastCosine))
     return farPoint(points);
