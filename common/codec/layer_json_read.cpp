@@ -163,11 +163,13 @@ Result<Json> parse(const std::string& text) {
   if (text.size() > kMaxText)
     return fault("it is larger than 256 MB");
   bool tooDeep = false;
-  const auto shallow = [&](int depth, Json::parse_event_t, const Json&) {
-    tooDeep = tooDeep || depth > kMaxDepth;
-    return !tooDeep; // what is left out is not stored either
+  const auto isKept = [&](int depth, Json::parse_event_t event, const Json&) {
+    const bool opens =
+        event == Json::parse_event_t::object_start || event == Json::parse_event_t::array_start;
+    tooDeep = tooDeep || (opens && depth >= kMaxDepth); // depth counts what is open already
+    return !tooDeep;
   };
-  Json doc = Json::parse(text, shallow, /*allow_exceptions=*/false);
+  Json doc = Json::parse(text, isKept, /*allow_exceptions=*/false);
   if (tooDeep)
     return fault("it is nested deeper than 64");
   if (doc.is_discarded())
