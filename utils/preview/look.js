@@ -8,6 +8,7 @@ const terrainLook = (() => {
   // Colours from the lowest to the highest place; sea and land meet at 0 m.
   const SEA = ["#16324a", "#2b5a78", "#5f93a8", "#a9c8cb"];
   const LAND = ["#7f9c76", "#b3b886", "#d3bf8f", "#b8926a", "#a58573", "#d9d3cd", "#f7f6f4"];
+  const WGS84_E2 = 0.00669437999014;
 
   function formatHeight(height, digits) {
     return height.toLocaleString("en", { minimumFractionDigits: digits, maximumFractionDigits: digits })
@@ -93,15 +94,26 @@ const terrainLook = (() => {
     return canvas;
   }
 
-  /** Colour by height, and tile borders: texture coordinates run from 0 to 1 over each tile drawn. */
-  function terrainMaterial([low, high]) {
+  /**
+   * Colour by height within the bounds, grey around them (there the set holds what voids were filled with), and tile
+   * borders: texture coordinates run from 0 to 1 over each tile drawn.
+   */
+  function terrainMaterial([low, high], bounds) {
     return new Cesium.Material({ fabric: {
       uniforms: {
+        corner: new Cesium.Cartesian2(bounds.west, bounds.south),
+        extent: new Cesium.Cartesian2(bounds.width, bounds.height),
         ramp: colourRamp(), deepest: Math.min(low, -0.1 * (high - low)), lowest: Math.max(low, 0),
         highest: Math.max(high, 1), exaggeration: 1,
         borders: 0,
       },
       source: `
+        // Longitude and latitude of the surface (heights move the latitude by far less than a pixel).
+        vec2 place_on_globe(vec3 positionToEyeEC) {
+          vec3 place = (czm_inverseView * vec4(-positionToEyeEC, 1.0)).xyz;
+          return vec2(atan(place.y, place.x), atan(place.z, ${1 - WGS84_E2} * length(place.xy)));
+        }
+
         czm_material czm_getMaterial(czm_materialInput materialInput) {
           czm_material material = czm_getDefaultMaterial(materialInput);
           float height = materialInput.height / exaggeration;
@@ -111,6 +123,10 @@ const terrainLook = (() => {
           float at = height < 0.0 ? clamp(sea, half_texel, 0.5 - half_texel)
                                   : clamp(land, 0.5 + half_texel, 1.0 - half_texel);
           material.diffuse = texture(ramp, vec2(at, 0.5)).rgb;
+          vec2 within = place_on_globe(materialInput.positionToEyeEC) - corner;
+          within.x = mod(within.x, czm_twoPi);
+          bool outside = any(greaterThan(within, extent)) || within.y < 0.0;
+          if (outside && extent.x < 6.28) material.diffuse = mix(vec3(0.46), material.diffuse, 0.12);
           vec2 pixel = fwidth(materialInput.st);
           vec2 rim = min(materialInput.st, 1.0 - materialInput.st) / max(pixel, vec2(1e-6));
           float line = 1.0 - smoothstep(0.5, 1.3, min(rim.x, rim.y));

@@ -139,8 +139,8 @@
     scene.globe.showGroundAtmosphere = false;
     scene.globe.baseColor = Cesium.Color.fromCssColorString("#8a8f94");
     scene.globe.enableLighting = true;
-    scene.globe.lambertDiffuseMultiplier = 1.05;
-    scene.globe.vertexShadowDarkness = 0.22;
+    scene.globe.lambertDiffuseMultiplier = 0.85;
+    scene.globe.vertexShadowDarkness = 0.27;
     scene.screenSpaceCameraController.enableCollisionDetection = true;
     return viewer;
   }
@@ -278,7 +278,7 @@
     const range = await heightRange(provider, bounds, deepestLevel(layer));
     const viewer = makeViewer();
     window.qmesh.viewer = viewer;
-    const material = terrainMaterial(range);
+    const material = terrainMaterial(range, bounds);
     viewer.scene.globe.material = material;
     viewer.terrainProvider = provider;
     viewer.scene.globe.enableLighting = provider.hasVertexNormals;
