@@ -26,7 +26,8 @@ class Kernel {
   double radius() const { return radius_; }
   bool hasNegativeLobes() const { return negative_; }
 
-  /// Weights of the pixels around a position in pixel space; their sum is 1.
+  /// Weights of the pixels around a position in pixel space; their sum is 1 and, but for `average`,
+  /// their centre of gravity is the position.
   void taps(double position, Taps& out) const;
 
  private:

@@ -116,6 +116,28 @@ RasterSampler::RasterSampler(std::shared_ptr<const SamplerSetup> setup, const No
       interpolator_(std::move(interpolator)), frame_(frame), x_(kPartColumns * kPartRows),
       y_(kPartColumns * kPartRows), longitudes_(kPartColumns) {}
 
+Result<bool> RasterSampler::anyHeight(const RasterInput& input) {
+  QuietErrors errors;
+  const Result<DatasetPtr> dataset = input.reopen();
+  if (!dataset.ok())
+    return dataset.status();
+  PixelReader reader(*(*dataset)->GetRasterBand(input.band), input.values,
+                     PixelLevel::full(input.frame), 0, input.path);
+  constexpr int kSide = 1024;
+  const int columns = int(input.frame.width);
+  const int rows = int(input.frame.height);
+  PixelWindow window;
+  for (window.row = 0; window.row < rows; window.row += kSide)
+    for (window.column = 0; window.column < columns; window.column += kSide) {
+      window.width = std::min(kSide, columns - window.column);
+      window.height = std::min(kSide, rows - window.row);
+      QMESH_RETURN_IF_ERROR(reader.read(window));
+      if (std::any_of(window.data.begin(), window.data.end(), [](float h) { return h == h; }))
+        return true;
+    }
+  return false;
+}
+
 std::size_t RasterSampler::bytes() {
   return std::size_t(kWindowPixels) * sizeof(float) + PixelReader::scratchBytes() +
          std::size_t(2 * kPartColumns * kPartRows) * sizeof(double);

@@ -43,6 +43,9 @@ class RasterSampler : public NodeSource {
   Status sample(std::int64_t i0, std::int64_t j0, int width, int height, float* out,
                 std::ptrdiff_t stride) override;
 
+  /// Reads pixels until one has a height; false when none has.
+  static Result<bool> anyHeight(const RasterInput& input);
+
   /// Bytes a sampler takes at most.
   static std::size_t bytes();
 

@@ -36,6 +36,8 @@ class RasterSourceFactory : public NodeSourceFactory {
     return std::unique_ptr<NodeSource>(*std::move(sampler));
   }
 
+  Result<bool> hasData() const override { return RasterSampler::anyHeight(setup_->input); }
+
   std::size_t bytesPerSource() const override { return RasterSampler::bytes() + kDatasetBytes; }
 
   /// Reads both pole rows: the mean of 1024 bilinear samples.
