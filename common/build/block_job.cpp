@@ -113,6 +113,8 @@ Status BlockJob::loadFinest() {
     }
   }
   window.setPoles(shared_.source.poleHeight(false), shared_.source.poleHeight(true));
+  if (!shared_.anyData && window.anyHeight())
+    shared_.anyData = true;
   return {};
 }
 

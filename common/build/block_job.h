@@ -36,6 +36,7 @@ struct BuildShared {
   StepSeconds seconds{};
   std::uint64_t contentHash = 0;
 
+  std::atomic<bool> anyData{false}; ///< a node of the finest level has a height
   std::atomic<std::uint64_t> tilesDone{0};
   std::atomic<bool> stop{false};
 };

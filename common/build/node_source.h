@@ -46,6 +46,10 @@ class NodeSourceFactory {
   /// A source for one thread that samples this lattice; opens its own dataset.
   virtual Result<std::unique_ptr<NodeSource>> open(const NodeLattice& lattice) const = 0;
 
+  /// Whether any cell of the input has a height; reads all of it until one is found. Asked only
+  /// when no node of the finest level got one.
+  virtual Result<bool> hasData() const = 0;
+
   /// Bytes of memory one NodeSource takes at most.
   virtual std::size_t bytesPerSource() const = 0;
 };

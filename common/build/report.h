@@ -49,6 +49,7 @@ struct BuildReport {
   double wallSeconds = 0;
   int threads = 0;
   int blockTiles = 0;
+  bool anyData = true;           ///< a node of the finest level got a height from the input
   std::uint64_t contentHash = 0; ///< of every tile, in any order
 
   LevelStats total() const;

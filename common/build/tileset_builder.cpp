@@ -91,8 +91,23 @@ class Runner {
       member.join();
     if (!status_.ok())
       return status_;
+    if (!stores.raw && !interrupted_)
+      QMESH_RETURN_IF_ERROR(checkData());
     return interrupted_ ? Status(Code::interrupted, "stopped before the set was complete")
                         : Status();
+  }
+
+  /// A DEM between two nodes makes a flat set (the report says so); one without any height none.
+  Status checkData() {
+    if (shared_.anyData)
+      return {};
+    const auto has = shared_.source.hasData();
+    if (!has.ok())
+      return has.status();
+    if (!*has)
+      return {Code::input, shared_.options.input + ": no cell has a height: all are nodata, NaN or "
+                                                   "masked; see -a for another nodata value"};
+    return {};
   }
 
   /// The calling thread only tells the progress.
@@ -176,6 +191,7 @@ BuildReport makeReport(const BuildShared& shared, const BlockPlan& blocks) {
   report.threads = blocks.threads;
   report.blockTiles = blocks.blockTiles;
   report.contentHash = shared.contentHash;
+  report.anyData = shared.anyData;
   return report;
 }
 

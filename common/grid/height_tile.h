@@ -19,8 +19,10 @@ class HeightTile {
  public:
   /// `origin` points at the south-west node (0, 0) of the tile; rows are `stride` floats apart and
   /// go north. The buffer must cover -2..N+2 in both directions, but for rows that do not exist.
-  HeightTile(TileId id, const NodeLattice& lattice, const float* origin, std::ptrdiff_t stride)
-      : id_(id), lattice_(lattice), origin_(origin), stride_(stride) {}
+  /// `filled`, if not null, has the same layout and is not 0 where the height only fills a void.
+  HeightTile(TileId id, const NodeLattice& lattice, const float* origin, std::ptrdiff_t stride,
+             const std::uint8_t* filled = nullptr)
+      : id_(id), lattice_(lattice), origin_(origin), stride_(stride), filled_(filled) {}
 
   TileId id() const { return id_; }
   const NodeLattice& lattice() const { return lattice_; }
@@ -29,6 +31,11 @@ class HeightTile {
   /// Height of the tile's node (i, j), each in -2..N+2, j within firstRow()..lastRow().
   float at(int i, int j) const { return origin_[std::ptrdiff_t(j) * stride_ + i]; }
   const float* row(int j) const { return origin_ + std::ptrdiff_t(j) * stride_; }
+
+  /// True where the node has no data of its own but a constant fill.
+  bool isFilled(int i, int j) const {
+    return filled_ && filled_[std::ptrdiff_t(j) * stride_ + i] != 0;
+  }
 
   /// Global position of node (0, 0).
   std::int64_t column0() const { return std::int64_t(id_.x) * cells(); }
@@ -45,6 +52,7 @@ class HeightTile {
   NodeLattice lattice_;
   const float* origin_;
   std::ptrdiff_t stride_;
+  const std::uint8_t* filled_;
 };
 
 } // namespace qmesh

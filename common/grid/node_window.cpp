@@ -20,6 +20,14 @@ void NodeWindow::reset(const NodeLattice& lattice, const TileRange& tiles, int h
   height_ = int((std::int64_t(tiles.y1) - tiles.y0 + 1) * n + 1 + 2 * halo);
   nodes_.assign(std::size_t(width_) * std::size_t(height_),
                 std::numeric_limits<float>::quiet_NaN());
+  filled_.clear();
+}
+
+void NodeWindow::fill(int a, int b, float height) {
+  filled_.resize(nodes_.size());
+  const std::size_t node = std::size_t(b) * std::size_t(width_) + std::size_t(a);
+  nodes_[node] = height;
+  filled_[node] = 1;
 }
 
 int NodeWindow::firstExistingRow() const {
@@ -48,7 +56,9 @@ HeightTile NodeWindow::tile(TileId id) const {
   const int n = lattice_.cells();
   const int a = int(id.x - tiles_.x0) * n + halo_;
   const int b = int(id.y - tiles_.y0) * n + halo_;
-  return {id, lattice_, row(b) + a, stride()};
+  const std::uint8_t* filled =
+      filled_.empty() ? nullptr : filled_.data() + std::ptrdiff_t(b) * stride() + a;
+  return {id, lattice_, row(b) + a, stride(), filled};
 }
 
 bool NodeWindow::isVoid(TileId id) const {
@@ -62,10 +72,15 @@ bool NodeWindow::isVoid(TileId id) const {
   return true;
 }
 
+bool NodeWindow::anyHeight() const {
+  return std::any_of(nodes_.begin(), nodes_.end(), [](float h) { return !std::isnan(h); });
+}
+
 std::size_t NodeWindow::bytes(int tilesX, int tilesY, int cells, int halo) {
   const std::size_t border = std::size_t(1 + 2 * halo);
   return (std::size_t(tilesX) * std::size_t(cells) + border) *
-         (std::size_t(tilesY) * std::size_t(cells) + border) * sizeof(float);
+         (std::size_t(tilesY) * std::size_t(cells) + border) *
+         (sizeof(float) + sizeof(std::uint8_t));
 }
 
 } // namespace qmesh

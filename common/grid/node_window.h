@@ -40,6 +40,9 @@ class NodeWindow {
   float* row(int b) { return nodes_.data() + std::ptrdiff_t(b) * stride(); }
   const float* row(int b) const { return nodes_.data() + std::ptrdiff_t(b) * stride(); }
 
+  /// Gives a void node a height and remembers that it was void.
+  void fill(int a, int b, float height);
+
   /// Sets the pole rows the window holds (geodetic profile) to their one height; NaN leaves them.
   void setPoles(double southHeight, double northHeight);
 
@@ -49,7 +52,10 @@ class NodeWindow {
   /// True when the (N+1)^2 nodes of a tile are all void.
   bool isVoid(TileId id) const;
 
-  /// Bytes a window of that many tiles takes.
+  /// True when any node has a height.
+  bool anyHeight() const;
+
+  /// Bytes a window of that many tiles takes, marks of filled nodes included.
   static std::size_t bytes(int tilesX, int tilesY, int cells, int halo);
 
  private:
@@ -61,6 +67,7 @@ class NodeWindow {
   int width_ = 0;
   int height_ = 0;
   std::vector<float> nodes_;
+  std::vector<std::uint8_t> filled_; ///< as nodes_, 1 where fill() was; empty: nowhere
 };
 
 } // namespace qmesh

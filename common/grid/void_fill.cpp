@@ -26,9 +26,11 @@ float interpolate(const NodeWindow& coarser, std::int64_t column, std::int64_t r
 
 void fillVoids(NodeWindow& window, float height) {
   for (int b = window.firstExistingRow(); b < window.endExistingRow(); ++b) {
-    float* row = window.row(b);
-    std::replace_if(
-        row, row + window.width(), [](float h) { return std::isnan(h); }, height);
+    const float* row = window.row(b);
+    for (int a = 0; a < window.width(); ++a) {
+      if (std::isnan(row[a]))
+        window.fill(a, b, height);
+    }
   }
 }
 
@@ -53,11 +55,11 @@ void fillVoidsOutside(NodeWindow& window, const Availability& tiles, float heigh
       mark(r, shift);
   }
   for (int b = window.firstExistingRow(); b < window.endExistingRow(); ++b) {
-    float* row = window.row(b);
+    const float* row = window.row(b);
     for (int a = 0; a < window.width(); ++a) {
       const std::size_t node = std::size_t(b) * std::size_t(window.width()) + std::size_t(a);
       if (std::isnan(row[a]) && !inside[node])
-        row[a] = height;
+        window.fill(a, b, height);
     }
   }
 }

@@ -95,8 +95,8 @@ Rows heightRows() {
           .help("The DEM counts depths downwards: 30 lies 30 m below the sea."),
       height("clip-low", &Options::clipLow, "Raise lower heights to this one."),
       height("clip-high", &Options::clipHigh, "Lower higher heights to this one."),
-      scale("scale-above", &Options::scaleAbove, "Multiplies heights above 0, after clipping."),
-      scale("scale-below", &Options::scaleBelow, "Multiplies heights below 0, after clipping."),
+      scale("scale-above", &Options::scaleAbove, "Multiplies heights above 0, before clipping."),
+      scale("scale-below", &Options::scaleBelow, "Multiplies heights below 0, before clipping."),
       RowBuilder(Group::heights, "void-fill")
           .value("HEIGHT|interpolate")
           .unit("m")
@@ -204,8 +204,8 @@ Rows meshRows(const std::vector<Choice>& methods) {
           .unit("zooms")
           .integer(&Options::metadata, 0, kDeepestZoom)
           .advanced()
-          .help("Every N zooms, tiles list their descendants and layer.json only the first; for "
-                "large sets. 0: layer.json lists all."),
+          .help("At every N-th zoom, tiles list their descendants of the next N zooms, for clients "
+                "that look there; layer.json lists all tiles all the same. 0: none."),
   };
 }
 

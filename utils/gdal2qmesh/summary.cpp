@@ -30,6 +30,10 @@ std::string sizeText(std::uint64_t bytes) {
   return format("%.1f GB", double(bytes) / 1e9);
 }
 
+std::string runTimeText(double seconds) {
+  return seconds < 60 ? format("%.1f s", seconds) : durationText(seconds);
+}
+
 std::string zoomsText(int first, int last) {
   return first == last ? format("zoom %d", first) : format("zooms %d-%d", first, last);
 }
@@ -50,7 +54,7 @@ std::vector<std::string> reportLines(const BuildOptions& options, const BuildRep
   lines.push_back(format("%llu tiles, %llu triangles, ",
                          static_cast<unsigned long long>(total.tiles),
                          static_cast<unsigned long long>(total.triangles)) +
-                  sizeText(total.bytes) + " in " + durationText(report.wallSeconds) +
+                  sizeText(total.bytes) + " in " + runTimeText(report.wallSeconds) +
                   format("; at zoom %d the largest error is %.3g m (rms %.3g m)", report.maxZoom,
                          finest.maxError, finest.rmsError()));
   if (options.preview != Preview::none)
@@ -62,6 +66,10 @@ std::vector<std::string> reportLines(const BuildOptions& options, const BuildRep
 std::vector<std::string> reportWarnings(const BuildReport& report) {
   const LevelStats total = report.total();
   std::vector<std::string> warnings;
+  if (!report.anyData)
+    warnings.push_back(
+        format("the DEM lies between the nodes of zoom %d: the terrain is flat; use a higher zoom",
+               report.maxZoom));
   if (total.quantizationTiles > 0)
     warnings.push_back(
         format("%llu of %llu tiles exceed their max error because rounding to the format's 15 bits "

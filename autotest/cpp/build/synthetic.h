@@ -42,6 +42,7 @@ class Source : public NodeSourceFactory {
     }
     return NAN;
   }
+  Result<bool> hasData() const override { return true; }
   std::size_t bytesPerSource() const override { return 1 << 16; }
   Result<std::unique_ptr<NodeSource>> open(const NodeLattice& lattice) const override {
     return std::unique_ptr<NodeSource>(new Nodes(*this, lattice));

@@ -26,6 +26,17 @@ TEST(VoidFill, ConstantTakesOnlyTheVoids) {
   EXPECT_EQ(w.row(3)[3], 5);
 }
 
+TEST(VoidFill, TheTileTellsFilledNodes) {
+  NodeWindow w = window(3, {4, 4, 4, 4}, 5);
+  w.row(kTileHalo + 1)[kTileHalo + 2] = NAN;
+  EXPECT_FALSE(w.tile({3, 4, 4}).isFilled(2, 1));
+  fillVoids(w, 0);
+  EXPECT_TRUE(w.tile({3, 4, 4}).isFilled(2, 1));
+  EXPECT_FALSE(w.tile({3, 4, 4}).isFilled(1, 2));
+  w.reset(w.lattice(), w.tiles(), kTileHalo);
+  EXPECT_FALSE(w.tile({3, 4, 4}).isFilled(2, 1));
+}
+
 TEST(VoidFill, RowsBeyondThePoleStayVoid) {
   NodeWindow w;
   w.reset(NodeLattice(Scheme(Profile::geodetic), 0, kCells), {0, 0, 0, 0}, kTileHalo);

@@ -57,6 +57,35 @@ TEST(NodeNormal, AgreesWithChordsInSpace) {
   }
 }
 
+//   data | fill: the cliff between them must not tilt the normals of either side
+TEST(NodeNormal, DoesNotLookAcrossTheOutlineOfTheData) {
+  const NodeLattice lattice(Scheme(Profile::geodetic), 12, 8);
+  constexpr int kEdge = 8 + 1 + 2 * kTileHalo;
+  std::vector<float> heights(kEdge * kEdge);
+  std::vector<std::uint8_t> filled(kEdge * kEdge);
+  const auto isFill = [](int i) { return i >= 5; };
+  for (int j = -kTileHalo; j <= 8 + kTileHalo; ++j) {
+    for (int i = -kTileHalo; i <= 8 + kTileHalo; ++i) {
+      const auto node = std::size_t((j + kTileHalo) * kEdge + i + kTileHalo);
+      heights[node] = isFill(i) ? 0.0f : float(1000 + 3 * i);
+      filled[node] = isFill(i) ? 1 : 0;
+    }
+  }
+  const std::ptrdiff_t origin = kTileHalo * kEdge + kTileHalo;
+  const HeightTile tile({12, 4000, 3000}, lattice, heights.data() + origin, kEdge,
+                        filled.data() + origin);
+  for (int j = 0; j <= 8; ++j) {
+    for (int i = 0; i <= 8; ++i) {
+      const double lon = lattice.longitude(tile.column0() + i);
+      const double lat = lattice.latitude(tile.row0() + j);
+      const double metres = lattice.spacingDegrees() * wgs84::metresPerDegreeEast(lat);
+      const double slope = isFill(i) ? 0 : 3 / metres;
+      const Vec3 expected = normalized(wgs84::enuToEcef(lon, lat, -slope, 0, 1));
+      EXPECT_LT(length(nodeNormal(tile, i, j) - expected), 1e-9) << i << " " << j;
+    }
+  }
+}
+
 TEST(NodeNormal, IsTheSameInBothTilesOfAnEdge) {
   using P = Profile;
   for (const Place& place : {Place{P::geodetic, 3, 15, 4, 16}, Place{P::geodetic, 0, 1, 0, 16},
