@@ -3,7 +3,6 @@
 #include "mesh/error_measure.h"
 
 #include <algorithm>
-#include <cmath>
 #include <vector>
 
 #include "mesh/triangle_spans.h"
@@ -12,7 +11,12 @@ namespace qmesh {
 
 namespace {
 
-/// The row tables and vertices a measure works on.
+using Doubles = Lanes<double>::Reals;
+using Masks = Lanes<double>::Masks;
+using Floats = float __attribute__((vector_size(16)));
+constexpr int kLanes = Lanes<double>::kCount;
+
+/// The vertices and row positions of a TIN as the walk over its triangles wants them.
 struct DecodedTin {
   std::vector<double> nodeV;
   std::vector<SpanCorner> corners;
@@ -22,6 +26,7 @@ DecodedTin decodeTin(const TileFrame& frame, const Tin& tin) {
   DecodedTin decoded;
   for (int j = 0; j <= frame.cells(); ++j)
     decoded.nodeV.push_back(frame.nodeV(j));
+  decoded.nodeV.resize(decoded.nodeV.size() + kLanePadding, kQuantizedMax);
   decoded.corners.reserve(tin.vertices.size());
   for (const TinVertex& vertex : tin.vertices) {
     const int nearest = frame.nearestRow(vertex.v);
@@ -32,33 +37,76 @@ DecodedTin decodeTin(const TileFrame& frame, const Tin& tin) {
   return decoded;
 }
 
-} // namespace
+/// Squares and maxima by lanes, over all triangles.
+struct LaneSums {
+  Doubles squares = {};
+  Doubles worst = Doubles{} - 1.0;
+  Masks nodes = {}; ///< j * (N + 1) + i
+};
 
-ErrorMeasure measureError(const HeightTile& tile, const TileFrame& frame, const Tin& tin) {
-  const DecodedTin decoded = decodeTin(frame, tin);
-  const int cells = frame.cells();
-  ErrorMeasure measure;
-  measure.max = -1;
+QMESH_INLINE void addErrors(const HeightTile& tile, const SpanList<double>& list, double slope,
+                            LaneSums& total) {
+  const Masks lanes = {0, 1, 2, 3};
+  const Doubles rise = __builtin_convertvector(lanes, Doubles) * slope;
+  const int cells = tile.cells();
+  const int readable = cells + kTileHalo + 1; // columns of a row that exist
+  LaneSums sums = total;
+  for (int r = 0; r < list.rows; ++r) {
+    const int j = list.firstRow + r;
+    const float* row = tile.row(j);
+    for (int i = list.begin[r]; i < list.end[r]; i += kLanes) {
+      const float* from = row + i;
+      float lastOnes[kLanes] = {};
+      if (i + kLanes > readable) {
+        std::copy(from, row + readable, lastOnes);
+        from = lastOnes;
+      }
+      Floats heights;
+      std::memcpy(&heights, from, sizeof heights);
+      const double height = list.height[r] + (i - list.begin[r]) * slope;
+      Doubles error = (height + rise) - __builtin_convertvector(heights, Doubles);
+      const Masks inside = lanes < (Masks{} + (list.end[r] - i));
+      error = Doubles(Masks(error) & inside & 0x7fffffffffffffff);
+      sums.squares += error * error;
+      const Masks worse = (error > sums.worst) & inside;
+      sums.worst = worse ? error : sums.worst;
+      sums.nodes = worse ? lanes + (j * (cells + 1) + i) : sums.nodes;
+    }
+  }
+  total = sums;
+}
+
+QMESH_VECTOR_CLONES void addTriangles(const HeightTile& tile, const DecodedTin& decoded,
+                                      const Tin& tin, LaneSums& sums) {
+  SpanList<double> list;
   for (const TinTriangle& triangle : tin.triangles) {
     const SpanCorner& a = decoded.corners[triangle[0]];
     const SpanCorner& b = decoded.corners[triangle[1]];
     const SpanCorner& c = decoded.corners[triangle[2]];
-    const double slope = heightPerColumn(a, b, c, cells);
-    const auto visit = [&](int j, int i0, int i1, double height) {
-      const float* row = tile.row(j);
-      for (int i = i0; i < i1; ++i) {
-        const double error = std::abs(height + (i - i0) * slope - row[i]);
-        measure.sumSquared += error * error;
-        if (error > measure.max) {
-          measure.max = error;
-          measure.worstColumn = i;
-          measure.worstRow = j;
-        }
-      }
-    };
-    forEachSpan(a, b, c, decoded.nodeV.data(), cells, slope, visit);
+    const double slope = heightPerColumn(a, b, c, tile.cells());
+    listSpans(a, b, c, decoded.nodeV.data(), slope, list);
+    addErrors(tile, list, slope, sums);
   }
-  measure.max = std::max(measure.max, 0.0);
+}
+
+} // namespace
+
+ErrorMeasure measureError(const HeightTile& tile, const TileFrame& frame, const Tin& tin) {
+  LaneSums sums;
+  addTriangles(tile, decodeTin(frame, tin), tin, sums);
+  ErrorMeasure measure;
+  std::int64_t worst = 0;
+  for (int lane = 0; lane < kLanes; ++lane) {
+    const double error = sums.worst[lane];
+    const std::int64_t node = sums.nodes[lane];
+    measure.sumSquared += sums.squares[lane];
+    if (error > measure.max || (error == measure.max && node < worst)) {
+      measure.max = error;
+      worst = node;
+    }
+  }
+  measure.worstColumn = int(worst % (tile.cells() + 1));
+  measure.worstRow = int(worst / (tile.cells() + 1));
   return measure;
 }
 

@@ -107,9 +107,12 @@ int TileFrame::nearestColumn(std::uint16_t u) const {
 }
 
 int TileFrame::nearestRow(std::uint16_t v) const {
-  const auto above = std::lower_bound(nodeV_.begin(), nodeV_.end(), double(v));
-  const auto row = int(above - nodeV_.begin());
-  return row > 0 && v - nodeV_[std::size_t(row) - 1] < *above - v ? row - 1 : row;
+  int row = (int(v) * cells_ + kQuantizedMax / 2) / kQuantizedMax; // right where rows are even
+  while (row > 0 && v - nodeV(row - 1) < nodeV(row) - v)
+    --row;
+  while (row < cells_ && nodeV(row + 1) - v <= v - nodeV(row))
+    ++row;
+  return row;
 }
 
 std::uint16_t TileFrame::quantize(float height) const {

@@ -3,8 +3,10 @@
 #pragma once
 
 #include <cstdint>
+#include <cstring>
 #include <utility>
 
+#include "mesh/lanes.h"
 #include "mesh/tile_frame.h"
 
 namespace qmesh {
@@ -23,68 +25,107 @@ inline double spanColumn(int u, int cells) {
   return double(u) * cells / kQuantizedMax;
 }
 
-/// An edge as a line over v, from its lower end.
-class SpanLine {
- public:
-  /// REQUIRES: lower.v < upper.v. The ends in this order whichever triangle asks, so that both
-  /// owners of an edge find the same bits.
-  SpanLine(const SpanCorner& lower, const SpanCorner& upper)
-      : column_(lower.column), height_(lower.height), v_(lower.v),
-        eastBorder_(lower.u == kQuantizedMax && upper.u == kQuantizedMax) {
-    const double scale = 1.0 / (upper.v - lower.v);
-    columnSlope_ = (upper.column - lower.column) * scale;
-    heightSlope_ = (upper.height - lower.height) * scale;
-  }
-
-  double column(double v) const { return column_ + (v - v_) * columnSlope_; }
-  double height(double v) const { return height_ + (v - v_) * heightSlope_; }
-  int eastBorder() const { return eastBorder_; }
-
- private:
-  double column_;
-  double height_;
-  double v_;
-  int eastBorder_;
-  double columnSlope_;
-  double heightSlope_;
-};
-
-inline int ceilToInt(double x) {
-  const int whole = int(x);
-  return whole + (double(whole) < x ? 1 : 0);
+/// Twice the signed area of a triangle in (u, v), exact; positive when counter-clockwise.
+inline std::int64_t doubledArea(const SpanCorner& a, const SpanCorner& b, const SpanCorner& c) {
+  return std::int64_t(b.u - a.u) * (c.v - a.v) - std::int64_t(b.v - a.v) * (c.u - a.u);
 }
 
 /// Rise of a triangle's plane per column, metres.
-inline double heightPerColumn(const SpanCorner& a, const SpanCorner& b, const SpanCorner& c,
-                              int cells) {
+QMESH_INLINE double heightPerColumn(const SpanCorner& a, const SpanCorner& b, const SpanCorner& c,
+                                    int cells) {
   const double bu = b.u - a.u, bv = b.v - a.v;
   const double cu = c.u - a.u, cv = c.v - a.v;
   const double perUnit =
       ((b.height - a.height) * cv - (c.height - a.height) * bv) / (bu * cv - bv * cu);
-  return perUnit * kQuantizedMax / cells;
+  return perUnit * (double(kQuantizedMax) / cells);
 }
 
-/// Visits the node rows [first, end) between two edges.
-template <class Visit>
-inline void forEachRow(const SpanLine& left, const SpanLine& right, int first, int end,
-                       const double* nodeV, double slope, Visit& visit) {
-  for (int j = first; j < end; ++j) {
-    const double from = left.column(nodeV[j]);
-    const int i0 = ceilToInt(from);
-    const int i1 = ceilToInt(right.column(nodeV[j])) + right.eastBorder();
-    if (i0 < i1)
-      visit(j, i0, i1, left.height(nodeV[j]) + (i0 - from) * slope);
+/// The nodes of one triangle by rows: those of row `firstRow + k`, k < rows, are the columns
+/// begin[k]..end[k]-1 (none where end <= begin); the plane's height at begin[k] is height[k],
+/// metres. Rows behind the last hold leftovers.
+template <class Real> struct SpanList {
+  static constexpr int kMaxRows = 1025 + kLanePadding;
+
+  int firstRow = 0;
+  int rows = 0;
+  std::int32_t begin[kMaxRows];
+  std::int32_t end[kMaxRows];
+  Real height[kMaxRows];
+};
+
+/// An edge as a line over v, from its lower end: in this order whichever triangle asks, so that
+/// both owners of an edge find the same bits. REQUIRES: lower.v < upper.v.
+template <class Real> struct SpanLine {
+  QMESH_INLINE SpanLine(const SpanCorner& lower, const SpanCorner& upper)
+      : column(Real(lower.column)), height(Real(lower.height)), v(Real(lower.v)),
+        columnSlope((Real(upper.column) - column) / Real(upper.v - lower.v)),
+        heightSlope((Real(upper.height) - height) / Real(upper.v - lower.v)),
+        eastBorder(lower.u == kQuantizedMax && upper.u == kQuantizedMax ? 1 : 0) {}
+
+  Real column;
+  Real height;
+  Real v;
+  Real columnSlope;
+  Real heightSlope;
+  std::int32_t eastBorder;
+};
+
+/// The smallest integers not below numbers >= 0 (by reference: the way of lanes through a call
+/// differs between processors).
+template <class Real>
+QMESH_INLINE void ceilLanes(const typename Lanes<Real>::Reals& x, typename Lanes<Real>::Ints& up) {
+  using Ints = typename Lanes<Real>::Ints;
+  using Reals = typename Lanes<Real>::Reals;
+  up = __builtin_convertvector(x, Ints);
+  up -= __builtin_convertvector(__builtin_convertvector(up, Reals) < x, Ints);
+}
+
+/// Fills the rows [from, to) of the list with what lies between two edges.
+template <class Real>
+QMESH_INLINE void addRows(const SpanLine<Real>& left, const SpanLine<Real>& right, int from, int to,
+                          const Real* nodeV, Real slope, SpanList<Real>& list) {
+  using Reals = typename Lanes<Real>::Reals;
+  for (int j = from; j < to; j += Lanes<Real>::kCount) {
+    const int k = j - list.firstRow;
+    Reals v;
+    std::memcpy(&v, nodeV + j, sizeof v);
+    const Reals west = left.column + (v - left.v) * left.columnSlope;
+    const Reals east = right.column + (v - right.v) * right.columnSlope;
+    typename Lanes<Real>::Ints begin, end;
+    ceilLanes<Real>(west, begin);
+    ceilLanes<Real>(east, end);
+    end += right.eastBorder;
+    const Reals height = left.height + (v - left.v) * left.heightSlope +
+                         (__builtin_convertvector(begin, Reals) - west) * slope;
+    std::memcpy(list.begin + k, &begin, sizeof begin);
+    std::memcpy(list.end + k, &end, sizeof end);
+    std::memcpy(list.height + k, &height, sizeof height);
   }
 }
 
-/// Calls visit(j, i0, i1, height) for each node row j that a counter-clockwise triangle covers: its
-/// nodes are the columns i0..i1-1, `height` is the plane's at i0, `slope` (heightPerColumn) its
-/// rise to the next. A node on an edge belongs to the triangle east or north of it, on the square's
-/// east or north border to the one triangle there is: in a TIN every node is visited once.
-/// `nodeV`: positions of the N+1 rows.
-template <class Visit>
-inline void forEachSpan(const SpanCorner& a, const SpanCorner& b, const SpanCorner& c,
-                        const double* nodeV, int cells, double slope, Visit&& visit) {
+/// Adds the row at the square's north border to a triangle with an edge on it.
+template <class Real>
+QMESH_INLINE void addTopRow(const SpanCorner& a, const SpanCorner& b, Real slope,
+                            SpanList<Real>& list) {
+  const SpanCorner& west = a.u < b.u ? a : b;
+  const SpanCorner& east = a.u < b.u ? b : a;
+  const auto ceiling = [](Real x) {
+    const auto whole = std::int32_t(x);
+    return whole + (Real(whole) < x ? 1 : 0);
+  };
+  const int k = list.rows++;
+  list.begin[k] = ceiling(Real(west.column));
+  list.end[k] = ceiling(Real(east.column)) + (east.u == kQuantizedMax ? 1 : 0);
+  list.height[k] = Real(west.height) + (Real(list.begin[k]) - Real(west.column)) * slope;
+}
+
+/// Lists the nodes a counter-clockwise triangle covers; `slope` is its heightPerColumn. A node on
+/// an edge belongs to the triangle east or north of it, on the square's east or north border to the
+/// one triangle there is: in a TIN every node belongs to exactly one list. `nodeV`: positions of
+/// the N+1 rows and kLanePadding more numbers of any value up to 32767.
+template <class Real>
+QMESH_INLINE void listSpans(const SpanCorner& a, const SpanCorner& b, const SpanCorner& c,
+                            const Real* nodeV, Real slope, SpanList<Real>& list) {
   const SpanCorner *low = &a, *mid = &b, *high = &c;
   bool midEast = true; // counter-clockwise low, mid, high has mid east of the edge low-high
   const auto order = [&midEast](const SpanCorner*& x, const SpanCorner*& y) {
@@ -97,25 +138,20 @@ inline void forEachSpan(const SpanCorner& a, const SpanCorner& b, const SpanCorn
   order(mid, high);
   order(low, mid);
 
-  const SpanLine whole(*low, *high);
+  list.firstRow = low->row;
+  list.rows = high->row - low->row;
+  const SpanLine<Real> whole(*low, *high);
   if (low->row < mid->row) {
-    const SpanLine part(*low, *mid);
-    forEachRow(midEast ? whole : part, midEast ? part : whole, low->row, mid->row, nodeV, slope,
-               visit);
+    const SpanLine<Real> part(*low, *mid);
+    addRows(midEast ? whole : part, midEast ? part : whole, low->row, mid->row, nodeV, slope, list);
   }
   if (mid->row < high->row) {
-    const SpanLine part(*mid, *high);
-    forEachRow(midEast ? whole : part, midEast ? part : whole, mid->row, high->row, nodeV, slope,
-               visit);
+    const SpanLine<Real> part(*mid, *high);
+    addRows(midEast ? whole : part, midEast ? part : whole, mid->row, high->row, nodeV, slope,
+            list);
   }
-  if (mid->v == kQuantizedMax) {
-    const SpanCorner& west = mid->u < high->u ? *mid : *high;
-    const SpanCorner& east = mid->u < high->u ? *high : *mid;
-    const int i0 = ceilToInt(west.column);
-    const int i1 = ceilToInt(east.column) + (east.u == kQuantizedMax ? 1 : 0);
-    if (i0 < i1)
-      visit(cells, i0, i1, west.height + (i0 - west.column) * slope);
-  }
+  if (mid->v == kQuantizedMax)
+    addTopRow(*mid, *high, slope, list);
 }
 
 } // namespace qmesh

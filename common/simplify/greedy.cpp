@@ -57,6 +57,7 @@ class Greedy final : public Simplifier {
   Triangulation mesh_;
   NodeHeights heights_;
   std::vector<double> nodeV_;
+  std::unique_ptr<SpanList<double>> spans_ = std::make_unique<SpanList<double>>();
   std::vector<Candidate> candidates_;
   std::vector<std::int32_t> scanList_;
   std::vector<std::uint32_t> newIndex_;
@@ -84,6 +85,7 @@ void Greedy::start(const Border& border, int baseGrid) {
   nodeV_.clear();
   for (int j = 0; j <= n; ++j)
     nodeV_.push_back(frame_->nodeV(j));
+  nodeV_.resize(nodeV_.size() + kLanePadding, kQuantizedMax);
   mesh_.reset({makeVertex(0, 0), makeVertex(n, 0), makeVertex(n, n), makeVertex(0, n)});
   maskBorder();
   for (const Edge edge : {kWest, kSouth, kEast, kNorth})
@@ -179,17 +181,18 @@ NodeError Greedy::exactWorst(std::int32_t t, double tolerance) const {
   const double slope = heightPerColumn(corners[0], corners[1], corners[2], cells);
   double worst = tolerance;
   NodeError found;
-  const auto visit = [&](int j, int i0, int i1, double height) {
-    const float* row = tile_->row(j);
-    for (int i = i0; i < i1; ++i) {
-      const double error = std::abs(height + (i - i0) * slope - row[i]);
+  listSpans(corners[0], corners[1], corners[2], nodeV_.data(), slope, *spans_);
+  for (int r = 0; r < spans_->rows; ++r) {
+    const int j = spans_->firstRow + r;
+    for (int i = spans_->begin[r]; i < spans_->end[r]; ++i) {
+      const double error =
+          std::abs(spans_->height[r] + (i - spans_->begin[r]) * slope - tile_->at(i, j));
       if (error > worst && !heights_.isMasked(heights_.index(i, j))) {
         worst = error;
         found = {heights_.index(i, j), float(error)};
       }
     }
-  };
-  forEachSpan(corners[0], corners[1], corners[2], nodeV_.data(), cells, slope, visit);
+  }
   return found;
 }
 

@@ -6,29 +6,20 @@
 #include <cstring>
 #include <limits>
 
-// The scan twice, for processors with and without 8 floats in a register; both give the same bits.
-// Sanitizers do not run before the resolver of such functions does, so they get the plain one.
-#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && defined(__GLIBC__) &&       \
-    !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-#define QMESH_VECTOR_CLONES __attribute__((target_clones("avx2", "default")))
-#else
-#define QMESH_VECTOR_CLONES
-#endif
-
 namespace qmesh {
 
 namespace {
 
-constexpr int kLanes = 8;
-using Floats = float __attribute__((vector_size(4 * kLanes)));
-using Ints = std::int32_t __attribute__((vector_size(4 * kLanes)));
+using Floats = Lanes<float>::Reals;
+using Ints = Lanes<float>::Ints;
+constexpr int kLanes = Lanes<float>::kCount;
 
 /// What the scan of a triangle reads.
 struct ScanInput {
   const SpanCorner* a;
   const SpanCorner* b;
   const SpanCorner* c;
-  const double* nodeV;
+  const float* nodeV;
   const float* heights;
   std::int32_t stride;
   int cells;
@@ -49,27 +40,28 @@ NodeError best(const float* errors, const std::int32_t* nodes) {
 }
 
 QMESH_VECTOR_CLONES NodeError scanTriangle(const ScanInput& in) {
-  const double slope = heightPerColumn(*in.a, *in.b, *in.c, in.cells);
+  SpanList<float> list;
+  const auto slope = float(heightPerColumn(*in.a, *in.b, *in.c, in.cells));
+  listSpans(*in.a, *in.b, *in.c, in.nodeV, slope, list);
+
   const Ints lanes = {0, 1, 2, 3, 4, 5, 6, 7};
-  const Floats steps = {0, 1, 2, 3, 4, 5, 6, 7};
-  const Floats rise = steps * float(slope);
+  const Floats rise = __builtin_convertvector(lanes, Floats) * slope;
   Floats worst = Floats{} + in.tolerance;
   Ints nodes = Ints{} - 1;
-  const auto visit = [&](int j, int i0, int i1, double height) {
-    const std::int32_t first = j * in.stride + i0;
-    const int count = i1 - i0;
-    for (int k = 0; k < count; k += kLanes) {
-      Floats node;
-      std::memcpy(&node, in.heights + first + k, sizeof node);
-      Floats error = node - (float(height + k * slope) + rise);
+  for (int r = 0; r < list.rows; ++r) {
+    const std::int32_t row = (list.firstRow + r) * in.stride;
+    for (int i = list.begin[r]; i < list.end[r]; i += kLanes) {
+      Floats heights;
+      std::memcpy(&heights, in.heights + row + i, sizeof heights);
+      const float height = list.height[r] + float(i - list.begin[r]) * slope;
+      Floats error = (height + rise) - heights;
       error = Floats(Ints(error) & 0x7fffffff);
       // A masked node is NaN and compares false.
-      const Ints worse = (error > worst) & (lanes < count - k);
+      const Ints worse = (error > worst) & (lanes < (list.end[r] - i));
       worst = worse ? error : worst;
-      nodes = worse ? lanes + (first + k) : nodes;
+      nodes = worse ? lanes + (row + i) : nodes;
     }
-  };
-  forEachSpan(*in.a, *in.b, *in.c, in.nodeV, in.cells, slope, visit);
+  }
   float errors[kLanes];
   std::int32_t found[kLanes];
   std::memcpy(errors, &worst, sizeof errors);
@@ -87,11 +79,12 @@ void NodeHeights::reset(const HeightTile& tile, const TileFrame& frame) {
   float* to = heights_.data();
   nodeV_.clear();
   for (int j = 0; j <= cells_; ++j) {
-    nodeV_.push_back(frame.nodeV(j));
+    nodeV_.push_back(float(frame.nodeV(j)));
     const float* from = tile.row(j);
     for (int i = 0; i <= cells_; ++i)
       *to++ = from[i] - frame.minHeight();
   }
+  nodeV_.resize(nodeV_.size() + kLanePadding, float(kQuantizedMax));
 }
 
 void NodeHeights::mask(std::int32_t node) {

@@ -42,7 +42,7 @@ class NodeHeights {
 
  private:
   std::vector<float> heights_; ///< (N+1) rows of stride_ floats and one vector's worth behind
-  std::vector<double> nodeV_;
+  std::vector<float> nodeV_;
   std::int32_t stride_ = 0;
   int cells_ = 0;
   float range_ = 0;

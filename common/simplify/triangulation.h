@@ -90,9 +90,4 @@ class Triangulation {
   std::vector<std::int32_t> star_;
 };
 
-/// Twice the signed area of a triangle, exact; positive when counter-clockwise.
-inline std::int64_t doubledArea(const SpanCorner& a, const SpanCorner& b, const SpanCorner& c) {
-  return std::int64_t(b.u - a.u) * (c.v - a.v) - std::int64_t(b.v - a.v) * (c.u - a.u);
-}
-
 } // namespace qmesh
