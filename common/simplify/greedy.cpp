@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "mesh/error_measure.h"
+#include "simplify/decimator.h"
 #include "simplify/methods.h"
 #include "simplify/node_heights.h"
 #include "simplify/triangulation.h"
@@ -13,6 +14,15 @@
 namespace qmesh {
 
 namespace {
+
+/// A vertex is corrected so often at most, that the work ends.
+constexpr int kMaxCorrections = 4;
+
+/// A vertex whose surface is off by `error` (metres, signed) at its node.
+struct Correction {
+  std::int32_t vertex;
+  double error;
+};
 
 /// A node to insert and the triangle it is the worst of.
 struct Candidate {
@@ -47,8 +57,13 @@ class Greedy final : public Simplifier {
   void maskBorder();
   float scanTolerance(double maxError) const;
   template <class Scan> bool refine(Scan scan);
-  NodeError exactWorst(std::int32_t t, double tolerance) const;
-  void finish(const LevelParams& level, Tin& out);
+  NodeError exactWorst(std::int32_t t, double tolerance);
+  void noteCorrection(std::int32_t t, int i, int j, double signedError);
+  bool applyCorrections();
+  void markAllChanged();
+  ErrorMeasure finish(const LevelParams& level, Tin& out);
+  ErrorMeasure leaveForbiddenCount(const LevelParams& level, Tin& out);
+  void report(const ErrorMeasure& measure, const LevelParams& level, Tin& out) const;
   void write(Tin& out);
 
   MethodOptions options_;
@@ -56,9 +71,11 @@ class Greedy final : public Simplifier {
   const TileFrame* frame_ = nullptr;
   Triangulation mesh_;
   NodeHeights heights_;
+  Decimator decimator_;
   std::vector<double> nodeV_;
   std::unique_ptr<SpanList<double>> spans_ = std::make_unique<SpanList<double>>();
   std::vector<Candidate> candidates_;
+  std::vector<Correction> corrections_;
   std::vector<std::int32_t> scanList_;
   std::vector<std::uint32_t> newIndex_;
 };
@@ -75,7 +92,14 @@ Status Greedy::simplify(const HeightTile& tile, const TileFrame& frame, const Bo
     return heights_.worst(mesh_.cornerOf(t, 0).corner, mesh_.cornerOf(t, 1).corner,
                           mesh_.cornerOf(t, 2).corner, tolerance);
   });
-  finish(level, out);
+  if (options_.decimate) {
+    decimator_.run(mesh_, heights_, tile.cells() / level.baseGrid, tolerance);
+    mesh_.forgetChanges();
+  }
+  ErrorMeasure measure = finish(level, out);
+  if (out.vertices.size() == kForbiddenVertexCount)
+    measure = leaveForbiddenCount(level, out);
+  report(measure, level, out);
   return {};
 }
 
@@ -145,7 +169,7 @@ float Greedy::scanTolerance(double maxError) const {
 }
 
 /// Rounds of scanning what has changed and inserting what was found, until there is nothing to
-/// insert. True when any node went in.
+/// insert. True when anything was done.
 template <class Scan> bool Greedy::refine(Scan scan) {
   bool any = false;
   while (!mesh_.changed().empty()) {
@@ -165,29 +189,34 @@ template <class Scan> bool Greedy::refine(Scan scan) {
       insertNode(heights_.column(candidate.node), heights_.row(candidate.node), candidate.triangle);
       any = true;
     }
+    any = applyCorrections() || any;
   }
   return any;
 }
 
 /// The unmasked node of a triangle with the largest error above the tolerance, in the arithmetic of
-/// measureError().
-NodeError Greedy::exactWorst(std::int32_t t, double tolerance) const {
+/// measureError(). Corners whose own node is off by more are noted for correction.
+NodeError Greedy::exactWorst(std::int32_t t, double tolerance) {
   SpanCorner corners[3];
   for (int k = 0; k < 3; ++k) {
     corners[k] = mesh_.cornerOf(t, k).corner;
     corners[k].height = frame_->decode(mesh_.cornerOf(t, k).q);
   }
-  const int cells = frame_->cells();
-  const double slope = heightPerColumn(corners[0], corners[1], corners[2], cells);
-  double worst = tolerance;
-  NodeError found;
+  const double slope = heightPerColumn(corners[0], corners[1], corners[2], frame_->cells());
   listSpans(corners[0], corners[1], corners[2], nodeV_.data(), slope, *spans_);
+  NodeError found;
+  double worst = tolerance;
   for (int r = 0; r < spans_->rows; ++r) {
     const int j = spans_->firstRow + r;
     for (int i = spans_->begin[r]; i < spans_->end[r]; ++i) {
-      const double error =
-          std::abs(spans_->height[r] + (i - spans_->begin[r]) * slope - tile_->at(i, j));
-      if (error > worst && !heights_.isMasked(heights_.index(i, j))) {
+      const double signedError =
+          spans_->height[r] + (i - spans_->begin[r]) * slope - tile_->at(i, j);
+      const double error = std::abs(signedError);
+      if (error <= tolerance)
+        continue;
+      if (heights_.isMasked(heights_.index(i, j))) {
+        noteCorrection(t, i, j, signedError);
+      } else if (error > worst) {
         worst = error;
         found = {heights_.index(i, j), float(error)};
       }
@@ -196,27 +225,78 @@ NodeError Greedy::exactWorst(std::int32_t t, double tolerance) const {
   return found;
 }
 
-/// Writes the TIN, and as long as the exact measure finds nodes beyond the max error inserts more.
-void Greedy::finish(const LevelParams& level, Tin& out) {
-  bool inserted = true;
-  ErrorMeasure measure;
+/// A vertex off at its own node is so because its place was rounded on a steep slope: its height
+/// can make up for that, unless it is the border's.
+void Greedy::noteCorrection(std::int32_t t, int i, int j, double signedError) {
+  const int n = frame_->cells();
+  for (int k = 0; k < 3; ++k) {
+    const NodeVertex& vertex = mesh_.cornerOf(t, k);
+    if (vertex.i == i && vertex.j == j && i > 0 && j > 0 && i < n && j < n &&
+        vertex.corrections < kMaxCorrections)
+      corrections_.push_back({mesh_.origin(3 * t + k), signedError});
+  }
+}
+
+bool Greedy::applyCorrections() {
+  for (const Correction& correction : corrections_) {
+    const double height = frame_->decode(mesh_.vertex(correction.vertex).q) - correction.error;
+    const std::uint16_t q = frame_->quantize(float(height));
+    mesh_.setHeight(correction.vertex, q, frame_->decode(q) - frame_->minHeight());
+  }
+  const bool any = !corrections_.empty();
+  corrections_.clear();
+  return any;
+}
+
+/// Writes the TIN, and as long as the exact measure finds nodes beyond the max error goes on.
+ErrorMeasure Greedy::finish(const LevelParams& level, Tin& out) {
   while (true) {
     write(out);
-    measure = measureError(*tile_, *frame_, out);
-    if (measure.max <= level.maxError || !inserted)
-      break;
-    for (std::int32_t t = 0; t < mesh_.triangleSlots(); ++t) {
-      if (mesh_.alive(t))
-        mesh_.markChanged(t);
-    }
-    inserted = refine([&](std::int32_t t) { return exactWorst(t, level.maxError); });
+    const ErrorMeasure measure = measureError(*tile_, *frame_, out);
+    if (measure.max <= level.maxError)
+      return measure;
+    markAllChanged();
+    if (!refine([&](std::int32_t t) { return exactWorst(t, level.maxError); }))
+      return measure;
   }
-  const auto allNodes = std::size_t(frame_->cells() + 1) * std::size_t(frame_->cells() + 1);
+}
+
+void Greedy::markAllChanged() {
+  for (std::int32_t t = 0; t < mesh_.triangleSlots(); ++t) {
+    if (mesh_.alive(t))
+      mesh_.markChanged(t);
+  }
+}
+
+/// A mesh of 65536 vertices gets one more, the worst node of all, or has to do with one less.
+ErrorMeasure Greedy::leaveForbiddenCount(const LevelParams& level, Tin& out) {
+  NodeError worst;
+  std::int32_t triangle = 0;
+  for (std::int32_t t = 0; t < mesh_.triangleSlots(); ++t) {
+    const NodeError found = mesh_.alive(t) ? exactWorst(t, -1) : NodeError{};
+    if (found.node >= 0 && (worst.node < 0 || found.error > worst.error)) {
+      worst = found;
+      triangle = t;
+    }
+  }
+  corrections_.clear();
+  if (worst.node >= 0) {
+    insertNode(heights_.column(worst.node), heights_.row(worst.node), triangle);
+    return finish(level, out);
+  }
+  decimator_.removeAny(mesh_, heights_);
+  write(out);
+  return measureError(*tile_, *frame_, out);
+}
+
+void Greedy::report(const ErrorMeasure& measure, const LevelParams& level, Tin& out) const {
+  const auto across = std::size_t(frame_->cells()) + 1;
   out.maxError = measure.max;
   out.sumSquaredError = measure.sumSquared;
-  out.reason = out.vertices.size() == allNodes ? StopReason::allNodes
-               : measure.max <= level.maxError ? StopReason::maxError
-                                               : StopReason::quantization;
+  if (out.vertices.size() == across * across)
+    out.reason = StopReason::allNodes;
+  else
+    out.reason = measure.max <= level.maxError ? StopReason::maxError : StopReason::quantization;
 }
 
 void Greedy::write(Tin& out) {

@@ -12,10 +12,11 @@ namespace qmesh {
 
 /// A vertex of a triangulation under construction: a node of the tile.
 struct NodeVertex {
-  SpanCorner corner;   ///< height: the quantized one above the frame's minimum, metres
-  std::uint16_t q = 0; ///< quantized height
-  std::uint16_t i = 0; ///< node column
-  std::uint16_t j = 0; ///< node row
+  SpanCorner corner;             ///< height: the quantized one above the frame's minimum, metres
+  std::uint16_t q = 0;           ///< quantized height
+  std::uint16_t i = 0;           ///< node column
+  std::uint16_t j = 0;           ///< node row
+  std::uint16_t corrections = 0; ///< times its height was changed
 };
 
 /// Triangulation of the square 0..32767 squared, counter-clockwise, in flat arrays that keep their
@@ -56,6 +57,7 @@ class Triangulation {
   const std::vector<NodeVertex>& vertices() const { return vertices_; }
   const NodeVertex& vertex(std::int32_t v) const { return vertices_[std::size_t(v)]; }
   const NodeVertex& cornerOf(std::int32_t t, int k) const { return vertex(origin(3 * t + k)); }
+  /// Gives an inner vertex another height; its triangles count as changed.
   void setHeight(std::int32_t v, std::uint16_t q, double height);
 
   /// A half-edge that leaves the vertex, kNone where it was collapsed.
@@ -66,6 +68,7 @@ class Triangulation {
   bool isChanged(std::int32_t t) const { return isChanged_[std::size_t(t)] != 0; }
   void clearChanged(std::int32_t t) { isChanged_[std::size_t(t)] = 0; }
   void markChanged(std::int32_t t);
+  void forgetChanges();
 
  private:
   std::int32_t locate(const SpanCorner& place, std::int32_t hint) const;
