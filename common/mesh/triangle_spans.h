@@ -30,6 +30,15 @@ inline std::int64_t doubledArea(const SpanCorner& a, const SpanCorner& b, const 
   return std::int64_t(b.u - a.u) * (c.v - a.v) - std::int64_t(b.v - a.v) * (c.u - a.u);
 }
 
+/// Height of a triangle's plane at a place, metres.
+inline double planeHeight(const SpanCorner& a, const SpanCorner& b, const SpanCorner& c,
+                          const SpanCorner& place) {
+  return (double(doubledArea(b, c, place)) * a.height +
+          double(doubledArea(c, a, place)) * b.height +
+          double(doubledArea(a, b, place)) * c.height) /
+         double(doubledArea(a, b, c));
+}
+
 /// Rise of a triangle's plane per column, metres.
 QMESH_INLINE double heightPerColumn(const SpanCorner& a, const SpanCorner& b, const SpanCorner& c,
                                     int cells) {

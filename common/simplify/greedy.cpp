@@ -15,6 +15,12 @@ namespace qmesh {
 
 namespace {
 
+/// Cells per edge of the densest grid of seeds.
+constexpr int kSeedCells = 8;
+
+/// Relative difference of two ways to compute one error.
+constexpr double kRoundingSlack = 1e-9;
+
 /// A vertex is corrected so often at most, that the work ends.
 constexpr int kMaxCorrections = 4;
 
@@ -51,6 +57,7 @@ class Greedy final : public Simplifier {
 
  private:
   void start(const Border& border, int baseGrid);
+  void seed(double tolerance);
   void insertEdge(const std::vector<std::uint16_t>& nodes, Edge edge);
   void insertNode(int i, int j, std::int32_t hint);
   NodeVertex makeVertex(int i, int j) const;
@@ -88,6 +95,7 @@ Status Greedy::simplify(const HeightTile& tile, const TileFrame& frame, const Bo
   heights_.reset(tile, frame);
   start(border, level.baseGrid);
   const float tolerance = scanTolerance(level.maxError);
+  seed(tolerance);
   refine([&](std::int32_t t) {
     return heights_.worst(mesh_.cornerOf(t, 0).corner, mesh_.cornerOf(t, 1).corner,
                           mesh_.cornerOf(t, 2).corner, tolerance);
@@ -101,6 +109,26 @@ Status Greedy::simplify(const HeightTile& tile, const TileFrame& frame, const Bo
     measure = leaveForbiddenCount(level, out);
   report(measure, level, out);
   return {};
+}
+
+/// A first coarse mesh without scans: of ever denser grids, the nodes that are off by more than the
+/// tolerance when their turn comes. It saves the rounds in which few triangles hold all nodes.
+void Greedy::seed(double tolerance) {
+  const int n = frame_->cells();
+  for (int step = n / 4; step >= std::max(n / kSeedCells, 4); step /= 2) {
+    for (int j = step; j < n; j += step) {
+      for (int i = step; i < n; i += step) {
+        if (heights_.isMasked(heights_.index(i, j)))
+          continue;
+        const NodeVertex vertex = makeVertex(i, j);
+        const std::int32_t t = mesh_.locate(vertex.corner, mesh_.changed().back());
+        const double height = planeHeight(mesh_.cornerOf(t, 0).corner, mesh_.cornerOf(t, 1).corner,
+                                          mesh_.cornerOf(t, 2).corner, vertex.corner);
+        if (std::abs(height - vertex.corner.height) > tolerance)
+          insertNode(i, j, t);
+      }
+    }
+  }
 }
 
 /// The corners, the border and the curvature grid.
@@ -256,7 +284,8 @@ ErrorMeasure Greedy::finish(const LevelParams& level, Tin& out) {
     if (measure.max <= level.maxError)
       return measure;
     markAllChanged();
-    if (!refine([&](std::int32_t t) { return exactWorst(t, level.maxError); }))
+    const double tolerance = level.maxError * (1 - kRoundingSlack);
+    if (!refine([&](std::int32_t t) { return exactWorst(t, tolerance); }))
       return measure;
   }
 }

@@ -13,6 +13,7 @@ namespace {
 using Floats = Lanes<float>::Reals;
 using Ints = Lanes<float>::Ints;
 constexpr int kLanes = Lanes<float>::kCount;
+constexpr std::int32_t kNoNode = std::numeric_limits<std::int32_t>::max();
 
 /// What the scan of a triangle reads.
 struct ScanInput {
@@ -26,16 +27,17 @@ struct ScanInput {
   float tolerance;
 };
 
-/// The largest of the lanes; of equal ones the smallest node.
-NodeError best(const float* errors, const std::int32_t* nodes) {
+/// The largest of the lanes' errors; of equal ones the smallest node. Without branches: which lane
+/// wins cannot be foreseen.
+QMESH_INLINE NodeError bestLane(const Floats& errors, const Ints& nodes) {
   NodeError found;
-  for (int lane = 0; lane < kLanes; ++lane) {
-    if (nodes[lane] < 0)
-      continue;
-    if (found.node < 0 || errors[lane] > found.error ||
-        (errors[lane] == found.error && nodes[lane] < found.node))
-      found = {nodes[lane], errors[lane]};
-  }
+  found.error = errors[0];
+  for (int lane = 1; lane < kLanes; ++lane)
+    found.error = errors[lane] > found.error ? errors[lane] : found.error;
+  const Ints winners = errors == (Floats{} + found.error) ? nodes : Ints{} + kNoNode;
+  found.node = winners[0];
+  for (int lane = 1; lane < kLanes; ++lane)
+    found.node = winners[lane] < found.node ? winners[lane] : found.node;
   return found;
 }
 
@@ -46,27 +48,32 @@ QMESH_VECTOR_CLONES NodeError scanTriangle(const ScanInput& in) {
 
   const Ints lanes = {0, 1, 2, 3, 4, 5, 6, 7};
   const Floats rise = __builtin_convertvector(lanes, Floats) * slope;
+  const float laneRise = kLanes * slope;
   Floats worst = Floats{} + in.tolerance;
-  Ints nodes = Ints{} - 1;
-  for (int r = 0; r < list.rows; ++r) {
-    const std::int32_t row = (list.firstRow + r) * in.stride;
-    for (int i = list.begin[r]; i < list.end[r]; i += kLanes) {
+  Ints nodes = Ints{} + kNoNode;
+  const float* row = in.heights + std::ptrdiff_t(list.firstRow) * in.stride;
+  std::int32_t rowIndex = list.firstRow * in.stride;
+  for (int r = 0; r < list.rows; ++r, row += in.stride, rowIndex += in.stride) {
+    int i = list.begin[r];
+    const int end = list.end[r];
+    float height = list.height[r];
+    do { // also for a row without nodes: cheaper than to foresee which one it is
       Floats heights;
-      std::memcpy(&heights, in.heights + row + i, sizeof heights);
-      const float height = list.height[r] + float(i - list.begin[r]) * slope;
+      std::memcpy(&heights, row + i, sizeof heights);
       Floats error = (height + rise) - heights;
       error = Floats(Ints(error) & 0x7fffffff);
       // A masked node is NaN and compares false.
-      const Ints worse = (error > worst) & (lanes < (list.end[r] - i));
+      const Ints worse = (error > worst) & (lanes < (end - i));
       worst = worse ? error : worst;
-      nodes = worse ? lanes + (row + i) : nodes;
-    }
+      nodes = worse ? lanes + (rowIndex + i) : nodes;
+      height += laneRise;
+      i += kLanes;
+    } while (i < end);
   }
-  float errors[kLanes];
-  std::int32_t found[kLanes];
-  std::memcpy(errors, &worst, sizeof errors);
-  std::memcpy(found, &nodes, sizeof found);
-  return best(errors, found);
+  NodeError found = bestLane(worst, nodes);
+  if (found.node == kNoNode)
+    found = {};
+  return found;
 }
 
 } // namespace
