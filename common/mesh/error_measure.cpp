@@ -51,9 +51,10 @@ QMESH_INLINE void addErrors(const HeightTile& tile, const SpanList<double>& list
   Doubles squares = total.squares, worst = total.worst;
   for (int r = 0; r < list.rows; ++r) {
     const float* row = tile.row(list.firstRow + r);
-    const int end = list.end[r];
     int i = list.begin[r];
-    double height = list.height[r];
+    const int end = i + list.count[r];
+    Doubles plane = list.height[r] + rise;
+    Masks left = Masks{} + list.count[r];
     do { // also for a row without nodes: cheaper than to foresee which one it is
       const float* from = row + i;
       float lastOnes[kLanes] = {};
@@ -63,12 +64,12 @@ QMESH_INLINE void addErrors(const HeightTile& tile, const SpanList<double>& list
       }
       Floats heights;
       std::memcpy(&heights, from, sizeof heights);
-      Doubles error = (height + rise) - __builtin_convertvector(heights, Doubles);
-      const Masks inside = lanes < (Masks{} + (end - i));
-      error = Doubles(Masks(error) & inside & 0x7fffffffffffffff);
+      Doubles error = plane - __builtin_convertvector(heights, Doubles);
+      error = Doubles(Masks(error) & (lanes < left) & 0x7fffffffffffffff);
       squares += error * error;
       worst = error > worst ? error : worst;
-      height += kLanes * slope;
+      plane += kLanes * slope;
+      left -= kLanes;
       i += kLanes;
     } while (i < end);
   }

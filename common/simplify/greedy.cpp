@@ -236,7 +236,7 @@ NodeError Greedy::exactWorst(std::int32_t t, double tolerance) {
   double worst = tolerance;
   for (int r = 0; r < spans_->rows; ++r) {
     const int j = spans_->firstRow + r;
-    for (int i = spans_->begin[r]; i < spans_->end[r]; ++i) {
+    for (int i = spans_->begin[r]; i < spans_->begin[r] + spans_->count[r]; ++i) {
       const double signedError =
           spans_->height[r] + (i - spans_->begin[r]) * slope - tile_->at(i, j);
       const double error = std::abs(signedError);
