@@ -26,6 +26,7 @@ template <class Real> struct Lanes;
 template <> struct Lanes<float> {
   static constexpr int kCount = 8;
   using Reals = float __attribute__((vector_size(32)));
+  using HalfReals = float __attribute__((vector_size(16)));
   using Masks = std::int32_t __attribute__((vector_size(32))); ///< what a comparison gives
   using Ints = std::int32_t __attribute__((vector_size(32)));
 };

@@ -14,8 +14,7 @@ namespace {
 using Floats = Lanes<float>::Reals;
 using Ints = Lanes<float>::Ints;
 constexpr int kLanes = Lanes<float>::kCount;
-constexpr std::int32_t kNoBlock = 1 << 20; // above the number of blocks of any triangle
-constexpr std::int32_t kNoPlace = std::numeric_limits<std::int32_t>::max();
+constexpr std::int32_t kNoBlock = std::numeric_limits<std::int32_t>::max();
 
 /// What the scan of a triangle reads.
 struct ScanInput {
@@ -36,18 +35,24 @@ struct BlockError {
   float error;
 };
 
-/// The largest of the lanes' errors; of equal ones that of the first block, then the first lane.
-/// Without branches: which lane wins cannot be foreseen.
-QMESH_INLINE BlockError bestLane(const Floats& errors, const Ints& blocks) {
-  float error = errors[0];
-  for (int lane = 1; lane < kLanes; ++lane)
-    error = errors[lane] > error ? errors[lane] : error;
-  const Ints lanes = {0, 1, 2, 3, 4, 5, 6, 7};
-  const Ints places = errors == (Floats{} + error) ? blocks * kLanes + lanes : Ints{} + kNoPlace;
-  std::int32_t place = places[0];
-  for (int lane = 1; lane < kLanes; ++lane)
-    place = places[lane] < place ? places[lane] : place;
-  return {place / kLanes, place % kLanes, error};
+QMESH_INLINE float largestLane(const Floats& values) {
+  Lanes<float>::HalfReals low, high;
+  std::memcpy(&low, &values, sizeof low);
+  std::memcpy(&high, reinterpret_cast<const char*>(&values) + sizeof low, sizeof high);
+  const Lanes<float>::HalfReals pairs = low > high ? low : high;
+  return std::max(std::max(pairs[0], pairs[1]), std::max(pairs[2], pairs[3]));
+}
+
+/// The lane with a given error; of several that of the first block, then the first lane.
+QMESH_INLINE BlockError laneOf(float error, const Floats& errors, const Ints& blocks) {
+  BlockError best{kNoBlock, 0, error};
+  for (int lane = 0; lane < kLanes; ++lane) {
+    if (errors[lane] == error && blocks[lane] < best.block) {
+      best.block = blocks[lane];
+      best.lane = lane;
+    }
+  }
+  return best;
 }
 
 /// The node of a lane: rows take one block at least, and one for every eight nodes.
@@ -93,8 +98,10 @@ QMESH_VECTOR_CLONES NodeError scanTriangle(const ScanInput& in) {
       from += kLanes;
     } while (from < end);
   }
-  const BlockError best = bestLane(worst, blocks);
-  return best.block == kNoBlock ? NodeError{} : findNode(list, in.stride, best);
+  const float largest = largestLane(worst);
+  if (largest == in.tolerance)
+    return {};
+  return findNode(list, in.stride, laneOf(largest, worst, blocks));
 }
 
 } // namespace
