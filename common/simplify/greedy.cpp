@@ -14,6 +14,8 @@ namespace qmesh {
 
 namespace {
 
+constexpr std::uint8_t kAllPlaces = 15;
+
 /// A node to insert and the triangle it is the worst of.
 struct Candidate {
   std::uint64_t order; ///< largest error first, then smallest node
@@ -41,13 +43,16 @@ class Greedy final : public Simplifier {
 
  private:
   void start(const Border& border, int baseGrid);
-  void insertEdge(const std::vector<std::uint16_t>& nodes, Edge edge);
+  void insertEdge(const std::vector<std::uint16_t>& places, Edge edge);
   void insertNode(int i, int j, std::int32_t hint);
+  bool insertAgain(int i, int j, std::int32_t hint);
+  NodeVertex makeVertex(int i, int j, int u, int v) const;
   NodeVertex makeVertex(int i, int j) const;
   void maskBorder();
   float scanTolerance(double maxError) const;
-  template <class Scan> bool refine(Scan scan);
+  template <class Scan, class Insert> bool refine(Scan scan, Insert insert);
   NodeError exactWorst(std::int32_t t, double tolerance) const;
+  void countPlaces();
   void finish(const LevelParams& level, Tin& out);
   void write(Tin& out);
 
@@ -61,6 +66,7 @@ class Greedy final : public Simplifier {
   std::vector<Candidate> candidates_;
   std::vector<std::int32_t> scanList_;
   std::vector<std::uint32_t> newIndex_;
+  std::vector<std::uint8_t> places_; ///< by node: which of its four places have a vertex, as bits
 };
 
 Status Greedy::simplify(const HeightTile& tile, const TileFrame& frame, const Border& border,
@@ -71,10 +77,18 @@ Status Greedy::simplify(const HeightTile& tile, const TileFrame& frame, const Bo
   heights_.reset(tile, frame);
   start(border, level.baseGrid);
   const float tolerance = scanTolerance(level.maxError);
-  refine([&](std::int32_t t) {
-    return heights_.worst(mesh_.cornerOf(t, 0).corner, mesh_.cornerOf(t, 1).corner,
-                          mesh_.cornerOf(t, 2).corner, tolerance);
-  });
+  refine(
+      [&](std::int32_t t) {
+        return heights_.worst(mesh_.cornerOf(t, 0).corner, mesh_.cornerOf(t, 1).corner,
+                              mesh_.cornerOf(t, 2).corner, tolerance);
+      },
+      [&](const Candidate& candidate) {
+        if (heights_.isMasked(candidate.node))
+          return false;
+        insertNode(heights_.column(candidate.node), heights_.row(candidate.node),
+                   candidate.triangle);
+        return true;
+      });
   finish(level, out);
   return {};
 }
@@ -97,16 +111,21 @@ void Greedy::start(const Border& border, int baseGrid) {
   }
 }
 
-void Greedy::insertEdge(const std::vector<std::uint16_t>& nodes, Edge edge) {
+void Greedy::insertEdge(const std::vector<std::uint16_t>& places, Edge edge) {
   const int n = frame_->cells();
-  for (std::size_t k = 1; k + 1 < nodes.size(); ++k) {
+  const bool far = edge == kEast || edge == kNorth;
+  for (std::size_t k = 1; k + 1 < places.size(); ++k) {
+    const int place = places[k];
+    const int across = far ? kQuantizedMax : 0;
     const bool alongRow = edge == kSouth || edge == kNorth;
-    const int across = edge == kEast || edge == kNorth ? n : 0;
-    insertNode(alongRow ? nodes[k] : across, alongRow ? across : nodes[k], mesh_.changed().back());
+    const int node = alongRow ? frame_->nearestColumn(places[k]) : frame_->nearestRow(places[k]);
+    const NodeVertex vertex = alongRow ? makeVertex(node, far ? n : 0, place, across)
+                                       : makeVertex(far ? n : 0, node, across, place);
+    mesh_.insert(vertex, mesh_.changed().back());
   }
 }
 
-NodeVertex Greedy::makeVertex(int i, int j) const {
+NodeVertex Greedy::makeVertex(int i, int j, int u, int v) const {
   const int n = frame_->cells();
   const bool border = i == 0 || j == 0 || i == n || j == n;
   const float height = tile_->at(i, j);
@@ -114,17 +133,57 @@ NodeVertex Greedy::makeVertex(int i, int j) const {
   vertex.i = std::uint16_t(i);
   vertex.j = std::uint16_t(j);
   vertex.q = border ? frame_->quantizeBorder(height) : frame_->quantize(height);
-  vertex.corner.u = frame_->u(i);
-  vertex.corner.v = frame_->v(j);
-  vertex.corner.column = spanColumn(vertex.corner.u, n);
+  vertex.corner.u = u;
+  vertex.corner.v = v;
+  vertex.corner.column = spanColumn(u, n);
   vertex.corner.height = frame_->decode(vertex.q) - frame_->minHeight();
-  vertex.corner.row = j + (frame_->nodeV(j) < frame_->v(j) ? 1 : 0);
+  vertex.corner.row = j + (frame_->nodeV(j) < v ? 1 : 0);
   return vertex;
+}
+
+NodeVertex Greedy::makeVertex(int i, int j) const {
+  return makeVertex(i, j, frame_->u(i), frame_->v(j));
 }
 
 void Greedy::insertNode(int i, int j, std::int32_t hint) {
   mesh_.insert(makeVertex(i, j), hint);
   heights_.mask(heights_.index(i, j));
+}
+
+/// Gives a node that is a vertex already another one, at the nearest free of the four quantized
+/// places around its real position. With all four it lies on a level square, whatever the slopes
+/// around: so rounding of places never keeps a node from the max error. False where none is free.
+bool Greedy::insertAgain(int i, int j, std::int32_t hint) {
+  std::uint8_t& used = places_[std::size_t(heights_.index(i, j))];
+  const int west = int(frame_->nodeU(i)), south = int(frame_->nodeV(j));
+  const double du = frame_->nodeU(i) - west, dv = frame_->nodeV(j) - south;
+  int best = -1;
+  double nearest = 0;
+  for (int place = 0; place < 4; ++place) {
+    const int east = place & 1, north = place >> 1;
+    const double distance = std::abs(du - east) + std::abs(dv - north);
+    if ((used >> place & 1) == 0 && (best < 0 || distance < nearest)) {
+      best = place;
+      nearest = distance;
+    }
+  }
+  if (best < 0)
+    return false;
+  used = std::uint8_t(used | 1 << best);
+  mesh_.insert(makeVertex(i, j, west + (best & 1), south + (best >> 1)), hint);
+  return true;
+}
+
+/// Which places the vertices of the mesh take.
+void Greedy::countPlaces() {
+  const int n = frame_->cells();
+  places_.assign(std::size_t(heights_.index(n, n)) + 1, 0);
+  for (const NodeVertex& vertex : mesh_.vertices()) {
+    const int east = vertex.corner.u - int(frame_->nodeU(vertex.i));
+    const int north = vertex.corner.v - int(frame_->nodeV(vertex.j));
+    std::uint8_t& used = places_[std::size_t(heights_.index(vertex.i, vertex.j))];
+    used = std::uint8_t(used | 1 << (2 * north + east));
+  }
 }
 
 /// The border's vertices are given; its other nodes have no say.
@@ -146,7 +205,7 @@ float Greedy::scanTolerance(double maxError) const {
 
 /// Rounds of scanning what has changed and inserting what was found, until there is nothing to
 /// insert. True when any node went in.
-template <class Scan> bool Greedy::refine(Scan scan) {
+template <class Scan, class Insert> bool Greedy::refine(Scan scan, Insert insert) {
   bool any = false;
   while (!mesh_.changed().empty()) {
     scanList_.swap(mesh_.changed());
@@ -160,17 +219,15 @@ template <class Scan> bool Greedy::refine(Scan scan) {
     }
     std::sort(candidates_.begin(), candidates_.end());
     for (const Candidate& candidate : candidates_) {
-      if (mesh_.isChanged(candidate.triangle) || heights_.isMasked(candidate.node))
-        continue;
-      insertNode(heights_.column(candidate.node), heights_.row(candidate.node), candidate.triangle);
-      any = true;
+      if (!mesh_.isChanged(candidate.triangle) && insert(candidate))
+        any = true;
     }
   }
   return any;
 }
 
-/// The unmasked node of a triangle with the largest error above the tolerance, in the arithmetic of
-/// measureError().
+/// The inner node of a triangle with the largest error above the tolerance, in the arithmetic of
+/// measureError(); one with all its places taken has no say.
 NodeError Greedy::exactWorst(std::int32_t t, double tolerance) const {
   SpanCorner corners[3];
   for (int k = 0; k < 3; ++k) {
@@ -187,7 +244,8 @@ NodeError Greedy::exactWorst(std::int32_t t, double tolerance) const {
     for (int i = spans_->begin[r]; i < spans_->end[r]; ++i) {
       const double error =
           std::abs(spans_->height[r] + (i - spans_->begin[r]) * slope - tile_->at(i, j));
-      if (error > worst && !heights_.isMasked(heights_.index(i, j))) {
+      const bool inner = i > 0 && j > 0 && i < cells && j < cells;
+      if (error > worst && inner && places_[std::size_t(heights_.index(i, j))] != kAllPlaces) {
         worst = error;
         found = {heights_.index(i, j), float(error)};
       }
@@ -209,14 +267,21 @@ void Greedy::finish(const LevelParams& level, Tin& out) {
       if (mesh_.alive(t))
         mesh_.markChanged(t);
     }
-    inserted = refine([&](std::int32_t t) { return exactWorst(t, level.maxError); });
+    countPlaces();
+    inserted = refine([&](std::int32_t t) { return exactWorst(t, level.maxError); },
+                      [&](const Candidate& candidate) {
+                        const int i = heights_.column(candidate.node);
+                        const int j = heights_.row(candidate.node);
+                        heights_.mask(candidate.node);
+                        return insertAgain(i, j, candidate.triangle);
+                      });
   }
   const auto allNodes = std::size_t(frame_->cells() + 1) * std::size_t(frame_->cells() + 1);
   out.maxError = measure.max;
   out.sumSquaredError = measure.sumSquared;
-  out.reason = out.vertices.size() == allNodes ? StopReason::allNodes
-               : measure.max <= level.maxError ? StopReason::maxError
-                                               : StopReason::quantization;
+  out.reason = measure.max > level.maxError      ? StopReason::quantization
+               : out.vertices.size() == allNodes ? StopReason::allNodes
+                                                 : StopReason::maxError;
 }
 
 void Greedy::write(Tin& out) {
