@@ -14,8 +14,9 @@ struct EdgeProfile {
   const float* heights;
   std::ptrdiff_t stride;
   const TileFrame& frame;
-  bool alongRow; ///< south and north edges run along u
-  double step;   ///< S of the level, not the coarser one of a tile: the neighbour has another
+  bool alongRow;  ///< south and north edges run along u
+  double step;    ///< S of the level, not the coarser one of a tile: the neighbour has another
+  bool twoPlaces; ///< a node may have both its places
 
   double place(int node) const { return alongRow ? frame.nodeU(node) : frame.nodeV(node); }
   int nearestPlace(int node) const { return alongRow ? frame.u(node) : frame.v(node); }
@@ -42,7 +43,8 @@ Worst worstBetween(const EdgeProfile& profile, const EdgeVertex& a, const EdgeVe
   Worst worst;
   for (int k = a.node; k <= b.node; ++k) {
     const double place = profile.place(k);
-    if (place <= a.place || place >= b.place)
+    const bool isVertex = k == a.node || k == b.node;
+    if (place <= a.place || place >= b.place || (isVertex && !profile.twoPlaces))
       continue;
     const double error = std::abs(ha + (place - a.place) * slope - profile.height(k));
     if (error > worst.error) {
@@ -77,8 +79,8 @@ void makeBorder(const HeightTile& tile, const TileFrame& frame, const LevelParam
   const double tolerance = level.maxError - std::min(0.0005, level.maxError / 16);
   const std::ptrdiff_t north = tile.row(1) - tile.row(0);
   const auto makeEdge = [&](Edge edge, int i, int j, bool alongRow) {
-    const EdgeProfile profile{tile.row(j) + i, alongRow ? 1 : north, frame, alongRow,
-                              level.latticeStep};
+    const EdgeProfile profile{tile.row(j) + i, alongRow ? 1 : north, frame,
+                              alongRow,        level.latticeStep,    level.canReachMaxError()};
     const bool pole = alongRow && tile.lattice().isPole(tile.row0() + j);
     std::vector<std::uint16_t>& places = border[edge];
     places.clear();

@@ -45,7 +45,7 @@ class Greedy final : public Simplifier {
   void start(const Border& border, int baseGrid);
   void insertEdge(const std::vector<std::uint16_t>& places, Edge edge);
   void insertNode(int i, int j, std::int32_t hint);
-  bool insertAgain(int i, int j, std::int32_t hint);
+  bool insertAtFreePlace(int i, int j, std::int32_t hint);
   NodeVertex makeVertex(int i, int j, int u, int v) const;
   NodeVertex makeVertex(int i, int j) const;
   void maskBorder();
@@ -59,6 +59,7 @@ class Greedy final : public Simplifier {
   MethodOptions options_;
   const HeightTile* tile_ = nullptr;
   const TileFrame* frame_ = nullptr;
+  bool severalPlaces_ = false; ///< a node may have more than one of its places
   Triangulation mesh_;
   NodeHeights heights_;
   std::vector<double> nodeV_;
@@ -74,6 +75,7 @@ Status Greedy::simplify(const HeightTile& tile, const TileFrame& frame, const Bo
   assert(tile.cells() == frame.cells());
   tile_ = &tile;
   frame_ = &frame;
+  severalPlaces_ = level.canReachMaxError() && frame.coarseStep() == 0;
   heights_.reset(tile, frame);
   start(border, level.baseGrid);
   const float tolerance = scanTolerance(level.maxError);
@@ -150,10 +152,11 @@ void Greedy::insertNode(int i, int j, std::int32_t hint) {
   heights_.mask(heights_.index(i, j));
 }
 
-/// Gives a node that is a vertex already another one, at the nearest free of the four quantized
-/// places around its real position. With all four it lies on a level square, whatever the slopes
-/// around: so rounding of places never keeps a node from the max error. False where none is free.
-bool Greedy::insertAgain(int i, int j, std::int32_t hint) {
+/// Makes a node a vertex, or gives one that is another vertex, at the nearest free of the four
+/// quantized places around its real position. With all four it lies on a level square, whatever the
+/// slopes around: so rounding of places never keeps a node from the max error. False where none is
+/// free.
+bool Greedy::insertAtFreePlace(int i, int j, std::int32_t hint) {
   std::uint8_t& used = places_[std::size_t(heights_.index(i, j))];
   const int west = int(frame_->nodeU(i)), south = int(frame_->nodeV(j));
   const double du = frame_->nodeU(i) - west, dv = frame_->nodeV(j) - south;
@@ -169,7 +172,7 @@ bool Greedy::insertAgain(int i, int j, std::int32_t hint) {
   }
   if (best < 0)
     return false;
-  used = std::uint8_t(used | 1 << best);
+  used = severalPlaces_ ? std::uint8_t(used | 1 << best) : kAllPlaces;
   mesh_.insert(makeVertex(i, j, west + (best & 1), south + (best >> 1)), hint);
   return true;
 }
@@ -182,7 +185,7 @@ void Greedy::countPlaces() {
     const int east = vertex.corner.u - int(frame_->nodeU(vertex.i));
     const int north = vertex.corner.v - int(frame_->nodeV(vertex.j));
     std::uint8_t& used = places_[std::size_t(heights_.index(vertex.i, vertex.j))];
-    used = std::uint8_t(used | 1 << (2 * north + east));
+    used = severalPlaces_ ? std::uint8_t(used | 1 << (2 * north + east)) : kAllPlaces;
   }
 }
 
@@ -273,7 +276,7 @@ void Greedy::finish(const LevelParams& level, Tin& out) {
                         const int i = heights_.column(candidate.node);
                         const int j = heights_.row(candidate.node);
                         heights_.mask(candidate.node);
-                        return insertAgain(i, j, candidate.triangle);
+                        return insertAtFreePlace(i, j, candidate.triangle);
                       });
   }
   const auto allNodes = std::size_t(frame_->cells() + 1) * std::size_t(frame_->cells() + 1);
