@@ -23,6 +23,11 @@ from oracle.tileset import TileSet  # noqa: E402
 _skipped_data = []
 
 
+def pytest_configure():
+    if not harness.BIN.exists():
+        pytest.exit(f"there is no {harness.BIN}: build it, or say with QMESH_BIN where it is", 4)
+
+
 @pytest.fixture(scope="session")
 def dem(tmp_path_factory):
     """A function name -> path of that DEM, made once; skips where a real DEM is not there."""

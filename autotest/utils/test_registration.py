@@ -66,8 +66,9 @@ def test_heights_lie_where_they_belong(tmp_path, kind, srs, point, profile):
              dtype="Float64")
     assert gdal.Open(str(tmp_path / "a.tif")).GetMetadataItem("AREA_OR_POINT") == (
         "Point" if point else "Area")
+    # The error sets the step of border heights: 1/16 m.
     harness.gdal2qmesh("-q", "-p", profile, "--method", "delaunay", "--tilesize", "64",
-                       tmp_path / "a.tif", tmp_path / "a").succeeded()
+                       "--max-error", "0.2", tmp_path / "a.tif", tmp_path / "a").succeeded()
     lon, lat, height, _ = vertices(TileSet(tmp_path / "a"))
     want, inside = expected(kind, srs, box, lon, lat)
     assert inside.sum() > 10000
@@ -84,7 +85,7 @@ def test_the_simplified_mesh_is_registered_too(tmp_path):
     harness.gdal2qmesh("-q", "--max-error", "0.1", tmp_path / "a.tif", tmp_path / "a").succeeded()
     lon, lat, height, _ = vertices(TileSet(tmp_path / "a"))
     want, inside = expected("plane", "EPSG:32632", box, lon, lat)
-    assert inside.sum() > 20
+    assert inside.sum() > 8
     assert np.abs(height - want)[inside].max() < 0.1 + TOLERANCE
 
 

@@ -179,9 +179,9 @@ double metresBetween(const Place& a, const Place& b) {
 
 } // namespace
 
-Result<std::vector<GeoBox>> rasterExtent(const RasterInput& input) {
+Result<GeoBox> rasterExtent(const RasterInput& input) {
   if (input.lonLat)
-    return std::vector<GeoBox>{lonLatExtent(input.frame)};
+    return lonLatExtent(input.frame);
   QuietErrors errors;
   const Result<Placement> placement = placementOf(input);
   if (!placement.ok())
@@ -204,13 +204,11 @@ Result<std::vector<GeoBox>> rasterExtent(const RasterInput& input) {
       box.east = 180;
     }
   // Where corners have no place the data ends somewhere between two of the inner points.
-  return std::vector<GeoBox>{outline.complete ? normalised(box) : grown(box, 2.0 / kInnerPoints)};
+  return outline.complete ? normalised(box) : grown(box, 2.0 / kInnerPoints);
 }
 
-std::vector<GeoBox> widened(std::vector<GeoBox> boxes) {
-  for (GeoBox& box : boxes)
-    box = grown(box, 0.02);
-  return boxes;
+GeoBox widened(const GeoBox& box) {
+  return grown(box, 0.02);
 }
 
 std::vector<GeoBox> cropped(const std::vector<GeoBox>& boxes, const Region& region) {

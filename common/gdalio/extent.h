@@ -11,14 +11,14 @@
 
 namespace qmesh {
 
-/// A raster's place on the globe: boxes as in NodeSourceFactory::extent. Exact for a geographic
+/// A raster's place on the globe: a box as in NodeSourceFactory::extent. Exact for a geographic
 /// raster on WGS 84 (edges within a thousandth of a pixel of a round place are put there, so that a
 /// degree tile does not reach into the next); for others a box round the transformed outline and
 /// inner points. Code::input where no pixel has a place.
-Result<std::vector<GeoBox>> rasterExtent(const RasterInput& input);
+Result<GeoBox> rasterExtent(const RasterInput& input);
 
-/// `boxes` with a margin of a fiftieth of their size: no node with data lies outside.
-std::vector<GeoBox> widened(std::vector<GeoBox> boxes);
+/// `box` with a margin of a fiftieth of its size: no node with data lies outside.
+GeoBox widened(const GeoBox& box);
 
 /// The common part of the boxes and those round the region's polygons; as it is where the region is
 /// empty.

@@ -3,6 +3,7 @@
 #include "gdalio/interpolator.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -12,6 +13,8 @@ namespace {
 constexpr float kVoid = std::numeric_limits<float>::quiet_NaN();
 /// Pixels by which a node may miss a pixel's square and still lie on its rim.
 constexpr double kRim = 1e-6;
+
+constexpr int kBatch = 64;
 
 bool isVoid(double value) {
   return value != value;
@@ -84,30 +87,56 @@ float Interpolator::bilinear(double x, double y) const {
   return float(sum / total);
 }
 
-/// The hot path: four valid pixels around the node. All others go to bilinear().
+/// The hot path, in batches so that the compiler can use vectors: where the window holds four
+/// pixels round every node no test is needed. Nodes it cannot serve go to bilinear(); which they
+/// are depends on their pixels alone, since the window holds all that exist.
 void Interpolator::runBilinear(const double* x, const double* y, int count, float* out) const {
+  for (int first = 0; first < count; first += kBatch) {
+    const int n = std::min(kBatch, count - first);
+    const double* bx = x + first;
+    const double* by = y + first;
+    float* heights = out + first;
+    if (allSurrounded_) {
+      fourPixels(bx, by, n, heights);
+    } else {
+      for (int k = 0; k < n; ++k) {
+        heights[k] = kVoid;
+        if (surrounded(bx[k], by[k]))
+          fourPixels(bx + k, by + k, 1, heights + k);
+      }
+    }
+    for (int k = 0; k < n; ++k)
+      if (isVoid(heights[k]))
+        heights[k] = bilinear(bx[k], by[k]);
+  }
+}
+
+/// True where the window holds the four pixels round a position, columns from 0 on.
+bool Interpolator::surrounded(double x, double y) const {
   const PixelWindow& p = *pixels_;
-  const double west = std::max(p.column, 0);
-  const double north = p.row;
-  const double east = p.column + p.width - 1;
-  const double south = p.row + p.height - 1;
-  const float* origin =
-      p.data.data() - (std::ptrdiff_t(p.row) * p.width + std::ptrdiff_t(p.column));
+  return x >= std::max(p.column, 0) + 0.5 && x < p.column + p.width - 0.5 && y >= p.row + 0.5 &&
+         y < p.row + p.height - 0.5;
+}
+
+/// REQUIRES: surrounded(), count <= kBatch.
+void Interpolator::fourPixels(const double* x, const double* y, int count, float* out) const {
+  const PixelWindow& p = *pixels_;
+  std::array<int, kBatch> column, row;
+  std::array<float, kBatch> fx, fy;
   for (int k = 0; k < count; ++k) {
     const double u = x[k] - 0.5;
     const double v = y[k] - 0.5;
-    float height = kVoid;
-    if (u >= west && u < east && v >= north && v < south) {
-      const int c = int(u);
-      const int r = int(v);
-      const double fx = u - c;
-      const double fy = v - r;
-      const float* a = origin + std::ptrdiff_t(r) * p.width + c;
-      const double top = a[0] + (double(a[1]) - double(a[0])) * fx;
-      const double bottom = a[p.width] + (double(a[p.width + 1]) - double(a[p.width])) * fx;
-      height = float(top + (bottom - top) * fy);
-    }
-    out[k] = isVoid(height) ? bilinear(x[k], y[k]) : height;
+    column[k] = int(u);
+    row[k] = int(v);
+    fx[k] = float(u - column[k]);
+    fy[k] = float(v - row[k]);
+  }
+  for (int k = 0; k < count; ++k) {
+    const float* a = &p.data[std::size_t(row[k] - p.row) * std::size_t(p.width) +
+                             std::size_t(column[k] - p.column)];
+    const float top = a[0] + (a[1] - a[0]) * fx[k];
+    const float bottom = a[p.width] + (a[p.width + 1] - a[p.width]) * fx[k];
+    out[k] = top + (bottom - top) * fy[k];
   }
 }
 
@@ -161,9 +190,14 @@ float Interpolator::general(double x, double y) {
   return weighted(tentX_, tentY_, x, y, validWeight);
 }
 
-void Interpolator::run(const PixelWindow& pixels, const double* x, const double* y, int count,
-                       float* out) {
+void Interpolator::use(const PixelWindow& pixels, const PixelBounds& bounds) {
   pixels_ = &pixels;
+  // A hundredth of a pixel for the rounding of the bounds.
+  allSurrounded_ = bounds.complete && surrounded(bounds.west - 0.01, bounds.north - 0.01) &&
+                   surrounded(bounds.east + 0.01, bounds.south + 0.01);
+}
+
+void Interpolator::run(const double* x, const double* y, int count, float* out) {
   const bool tent = resampling_ == Resampling::bilinear || resampling_ == Resampling::average;
   if (tent && !reducing_) // a box of one pixel gives bilinear weights
     return runBilinear(x, y, count, out);

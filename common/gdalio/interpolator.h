@@ -3,6 +3,7 @@
 #pragma once
 
 #include "gdalio/kernel.h"
+#include "gdalio/node_positions.h"
 #include "gdalio/pixel_frame.h"
 #include "gdalio/pixel_reader.h"
 
@@ -26,9 +27,12 @@ class Interpolator {
   double radiusX() const { return radiusX_; }
   double radiusY() const { return radiusY_; }
 
-  /// Heights of `count` positions. REQUIRES: pixels outside `pixels` that a node needs do not
-  /// exist.
-  void run(const PixelWindow& pixels, const double* x, const double* y, int count, float* out);
+  /// The pixels to read from; they must outlive the calls of run(). `bounds`: of all positions that
+  /// will be asked for. REQUIRES: pixels outside `pixels` that a node needs do not exist.
+  void use(const PixelWindow& pixels, const PixelBounds& bounds);
+
+  /// Heights of `count` positions; NaN where void or where x is NaN.
+  void run(const double* x, const double* y, int count, float* out);
 
  private:
   float byPixel(double x, double y) const;
@@ -37,6 +41,8 @@ class Interpolator {
   float weighted(const Kernel& kernelX, const Kernel& kernelY, double x, double y,
                  double& validWeight);
   void runBilinear(const double* x, const double* y, int count, float* out) const;
+  bool surrounded(double x, double y) const;
+  void fourPixels(const double* x, const double* y, int count, float* out) const;
   bool halfValid(double x, double y);
   bool insideRaster(double x, double y) const;
   float pixel(int column, int row) const;
@@ -48,7 +54,8 @@ class Interpolator {
   Kernel kernelX_, kernelY_;
   Kernel tentX_, tentY_;
   double radiusX_, radiusY_;
-  const PixelWindow* pixels_ = nullptr; ///< what run() works on
+  const PixelWindow* pixels_ = nullptr;
+  bool allSurrounded_ = false; ///< the four pixels round every position are in the window
   Taps tapsX_, tapsY_;
 };
 

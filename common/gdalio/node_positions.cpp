@@ -74,9 +74,8 @@ struct Cell {
 class TransformedPositions : public NodePositions {
  public:
   TransformedPositions(const NodeLattice& lattice, const PixelFrame& frame,
-                       PointTransform transform, std::vector<GeoBox> extent)
-      : lattice_(lattice), frame_(frame), transform_(std::move(transform)),
-        extent_(std::move(extent)) {}
+                       PointTransform transform, const GeoBox& extent)
+      : lattice_(lattice), frame_(frame), transform_(std::move(transform)), extent_(extent) {}
 
   PixelBounds fill(const NodeWindow& window, double* x, double* y) override {
     window_ = window;
@@ -187,48 +186,55 @@ class TransformedPositions : public NodePositions {
         y_[indexOf(i, j)] = p.y;
         if (p.exists())
           bounds_.add(p.x, p.y);
+        else
+          bounds_.complete = false;
       }
   }
 
   void fillNone(std::int64_t i0, std::int64_t j0, std::int64_t i1, std::int64_t j1) {
+    bounds_.complete = false;
     for (std::int64_t j = j0; j < j1; ++j)
       std::fill(x_ + indexOf(i0, j), x_ + indexOf(i0, j) + (i1 - i0), kNone);
   }
 
-  /// True where no box of the extent meets the cell.
+  /// True where the extent does not meet the cell.
   bool outside(std::int64_t i, std::int64_t j, int size) const {
-    const double west = longitudeOf(i);
-    const double east = longitudeOf(i + size);
-    const double south = lattice_.latitude(j);
-    const double north = lattice_.latitude(std::min(j + size, lattice_.lastRow()));
-    return std::none_of(extent_.begin(), extent_.end(), [&](const GeoBox& box) {
-      const bool meets = (west <= box.east && east >= box.west) ||
-                         (west + 360 <= box.east && east + 360 >= box.west);
-      return meets && south <= box.north && north >= box.south;
-    });
+    return !meetsLongitudes(longitudeOf(i), longitudeOf(i + size)) ||
+           lattice_.latitude(j) > extent_.north ||
+           lattice_.latitude(std::min(j + size, lattice_.lastRow())) < extent_.south;
+  }
+
+  bool meetsLongitudes(double west, double east) const {
+    return (west <= extent_.east && east >= extent_.west) ||
+           (west + 360 <= extent_.east && east + 360 >= extent_.west);
   }
 
   /// Takes the position of nodes outside the extent away.
   void dropOutside() {
-    if (std::any_of(extent_.begin(), extent_.end(), [&](const GeoBox& box) {
-          const double west = longitudeOf(window_.i);
-          const double east = longitudeOf(window_.i + window_.width - 1);
-          const bool within = (west >= box.west && east <= box.east) ||
-                              (west + 360 >= box.west && east + 360 <= box.east);
-          return within && lattice_.latitude(window_.j) >= box.south &&
-                 lattice_.latitude(window_.j + window_.height - 1) <= box.north;
-        }))
-      return;
-    for (int b = 0; b < window_.height; ++b)
-      for (int a = 0; a < window_.width; ++a)
-        if (outside(window_.i + a, window_.j + b, 0))
-          x_[indexOf(window_.i + a, window_.j + b)] = kNone;
+    std::vector<int> away; // columns
+    for (int a = 0; a < window_.width; ++a) {
+      const double longitude = longitudeOf(window_.i + a);
+      if (!meetsLongitudes(longitude, longitude))
+        away.push_back(a);
+    }
+    for (int b = 0; b < window_.height; ++b) {
+      double* row = x_ + std::ptrdiff_t(b) * window_.width;
+      const double latitude = lattice_.latitude(window_.j + b);
+      const bool none = latitude > extent_.north || latitude < extent_.south;
+      if (none)
+        std::fill(row, row + window_.width, kNone);
+      else
+        for (int a : away)
+          row[a] = kNone;
+      if (none || !away.empty())
+        bounds_.complete = false;
+    }
   }
 
   NodeLattice lattice_;
   PixelFrame frame_;
   PointTransform transform_;
-  std::vector<GeoBox> extent_;
+  GeoBox extent_;
   // What fill() works on.
   NodeWindow window_;
   double* x_ = nullptr;
@@ -253,13 +259,13 @@ std::unique_ptr<NodePositions> makeAffinePositions(const NodeLattice& lattice,
 Result<std::unique_ptr<NodePositions>> makeTransformedPositions(const NodeLattice& lattice,
                                                                 const PixelFrame& frame,
                                                                 const OGRSpatialReference& srs,
-                                                                std::vector<GeoBox> extent,
+                                                                const GeoBox& extent,
                                                                 const std::string& path) {
   Result<PointTransform> transform = PointTransform::create(lonLatSrs(), srs, path);
   if (!transform.ok())
     return transform.status();
-  return std::unique_ptr<NodePositions>(std::make_unique<TransformedPositions>(
-      lattice, frame, *std::move(transform), std::move(extent)));
+  return std::unique_ptr<NodePositions>(
+      std::make_unique<TransformedPositions>(lattice, frame, *std::move(transform), extent));
 }
 
 } // namespace qmesh

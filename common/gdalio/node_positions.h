@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <memory>
 #include <string>
-#include <vector>
 
 #include "base/status.h"
 #include "gdalio/crs.h"
@@ -22,9 +21,11 @@ struct NodeWindow {
   int height = 0;
 };
 
-/// The smallest box around the positions of a window; empty (west > east) when none has one.
+/// A box around the positions of a window; empty (west > east) when none has one.
 struct PixelBounds {
   double west = 1e300, east = -1e300, north = 1e300, south = -1e300;
+
+  bool complete = true; ///< every node has a position
 
   bool empty() const { return west > east; }
   void add(double x, double y);
@@ -52,7 +53,7 @@ std::unique_ptr<NodePositions> makeAffinePositions(const NodeLattice& lattice,
 Result<std::unique_ptr<NodePositions>> makeTransformedPositions(const NodeLattice& lattice,
                                                                 const PixelFrame& frame,
                                                                 const OGRSpatialReference& srs,
-                                                                std::vector<GeoBox> extent,
+                                                                const GeoBox& extent,
                                                                 const std::string& path);
 
 } // namespace qmesh

@@ -71,8 +71,14 @@ Result<Scale> spacingInPixels(const SamplerSetup& setup, const NodeLattice& latt
 } // namespace
 
 float HeightRules::apply(float height) const {
-  const double scaled = height * (height < 0 ? scaleBelow : scaleAbove);
-  return height == height ? float(std::min(clipHigh, std::max(clipLow, scaled))) : height;
+  if (height != height)
+    return height;
+  double out = height * (height < 0 ? scaleBelow : scaleAbove);
+  if (clipLow)
+    out = std::max(out, *clipLow);
+  if (clipHigh)
+    out = std::min(out, *clipHigh);
+  return float(out);
 }
 
 Result<std::unique_ptr<RasterSampler>>
@@ -204,17 +210,19 @@ Status RasterSampler::sampleWindow(const NodeWindow& window, float* out, std::pt
     return sampleWindow(second, out + (wide ? first.width : first.height * stride), stride);
   }
   QMESH_RETURN_IF_ERROR(reader_.read(pixels_));
+  interpolator_.use(pixels_, bounds);
   for (int b = 0; b < window.height; ++b) {
     const std::ptrdiff_t line = std::ptrdiff_t(b) * window.width;
-    interpolator_.run(pixels_, x_.data() + line, y_.data() + line, window.width, out + b * stride);
+    interpolator_.run(x_.data() + line, y_.data() + line, window.width, out + b * stride);
     finishRow(window, b, out + b * stride);
   }
   return {};
 }
 
 void RasterSampler::finishRow(const NodeWindow& window, int row, float* heights) {
-  for (int a = 0; a < window.width; ++a)
-    heights[a] = setup_->heights.apply(heights[a]);
+  if (!setup_->heights.none())
+    for (int a = 0; a < window.width; ++a)
+      heights[a] = setup_->heights.apply(heights[a]);
   if (setup_->regions.empty())
     return;
   for (int a = 0; a < window.width; ++a)

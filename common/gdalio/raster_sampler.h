@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "build/node_source.h"
@@ -15,10 +16,10 @@ namespace qmesh {
 
 /// What is done to heights after interpolation.
 struct HeightRules {
-  double scaleAbove = 1, scaleBelow = 1; ///< above / below sea level; first
-  double clipLow = -1e300;               ///< metres; then
-  double clipHigh = 1e300;
+  double scaleAbove = 1, scaleBelow = 1;   ///< above / below sea level; first
+  std::optional<double> clipLow, clipHigh; ///< metres; then
 
+  bool none() const { return scaleAbove == 1 && scaleBelow == 1 && !clipLow && !clipHigh; }
   float apply(float height) const;
 };
 
@@ -27,7 +28,7 @@ struct SamplerSetup {
   RasterInput input;
   HeightRules heights;
   std::vector<Region> regions; ///< a node must be in each
-  std::vector<GeoBox> extent;  ///< of the raster, with a margin
+  GeoBox extent;               ///< of the raster, with a margin
   Resampling resampling = Resampling::bilinear;
 };
 

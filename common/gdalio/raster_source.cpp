@@ -102,14 +102,15 @@ Result<std::shared_ptr<NodeSourceFactory>> openRasterSource(const BuildOptions& 
   setup->resampling = options.resampling;
   setup->heights.scaleAbove = options.scaleAbove;
   setup->heights.scaleBelow = options.scaleBelow;
-  setup->heights.clipLow = options.clipLow.value_or(setup->heights.clipLow);
-  setup->heights.clipHigh = options.clipHigh.value_or(setup->heights.clipHigh);
-  Result<std::vector<GeoBox>> extent = rasterExtent(setup->input);
-  if (!extent.ok())
-    return extent.status();
-  setup->extent = widened(*extent);
-  QMESH_RETURN_IF_ERROR(addRegions(options, *setup, *extent));
-  auto factory = std::make_shared<RasterSourceFactory>(setup, *std::move(extent));
+  setup->heights.clipLow = options.clipLow;
+  setup->heights.clipHigh = options.clipHigh;
+  const Result<GeoBox> whole = rasterExtent(setup->input);
+  if (!whole.ok())
+    return whole.status();
+  setup->extent = widened(*whole);
+  std::vector<GeoBox> extent{*whole};
+  QMESH_RETURN_IF_ERROR(addRegions(options, *setup, extent));
+  auto factory = std::make_shared<RasterSourceFactory>(setup, std::move(extent));
   QMESH_RETURN_IF_ERROR(factory->readPoles());
   return std::shared_ptr<NodeSourceFactory>(factory);
 }

@@ -150,10 +150,12 @@ Status SetSwap::takeBack(const std::string& item, bool listed) {
   if (!pathExists(made) && pathExists(there) && (listed || pathExists(old))) {
     QMESH_RETURN_IF_ERROR(makeFolders(folderOf(made)));
     QMESH_RETURN_IF_ERROR(renamePath(there, made));
-    removeEmptyFolders(folderOf(there), output_);
   }
-  if (!pathExists(old))
+  if (!pathExists(old)) {
+    if (listed)
+      removeEmptyFolders(folderOf(there), output_);
     return {};
+  }
   if (isZoomName(item))
     QMESH_RETURN_IF_ERROR(moveForeign(made, old, 0));
   QMESH_RETURN_IF_ERROR(makeFolders(folderOf(there)));

@@ -17,15 +17,20 @@ namespace {
 
 constexpr long kFolderMode = 0777;
 
-/// Opens for writing; makes the folder when it is missing (the first file of each folder finds that
-/// out, so nobody needs a list of folders).
-VSILFILE* openForWriting(const std::string& path) {
-  VSILFILE* file = VSIFOpenL(path.c_str(), "wb");
-  if (file || errno != ENOENT)
-    return file;
+std::string folderOf(const std::string& path) {
   const std::size_t slash = path.rfind('/');
-  if (slash == std::string::npos || !makeFolders(path.substr(0, slash)).ok())
+  return slash == std::string::npos ? "" : path.substr(0, slash);
+}
+
+/// Opens for writing; makes the folder when it is missing. The first file of each folder finds that
+/// out, so nobody needs a list of folders; but GDAL's memory takes files without folders and does
+/// not list them then.
+VSILFILE* openForWriting(const std::string& path) {
+  if (!isLocalPath(path) && !makeFolders(folderOf(path)).ok())
     return nullptr;
+  VSILFILE* file = VSIFOpenL(path.c_str(), "wb");
+  if (file || errno != ENOENT || !makeFolders(folderOf(path)).ok())
+    return file;
   return VSIFOpenL(path.c_str(), "wb");
 }
 
@@ -101,6 +106,13 @@ Status writeWholeFile(const std::string& path, const void* bytes, std::size_t co
 
 Status renamePath(const std::string& from, const std::string& to) {
   QuietErrors errors;
+  if (!isLocalPath(from) && isFolder(from)) { // only files can be renamed there
+    QMESH_RETURN_IF_ERROR(makeFolders(to));
+    for (const std::string& name : listFolder(from))
+      QMESH_RETURN_IF_ERROR(renamePath(from + "/" + name, to + "/" + name));
+    VSIRmdir(from.c_str());
+    return {};
+  }
   errno = 0;
   if (VSIRename(from.c_str(), to.c_str()) == 0)
     return {};

@@ -12,14 +12,12 @@ namespace qmesh {
 
 namespace {
 
-constexpr std::size_t kForbiddenCount = 65536; // CesiumJS takes it for 16 bits in one place only
-
 std::string triangleName(std::size_t t) {
   return "triangle " + std::to_string(t);
 }
 
 std::string checkVertices(const Tin& tin) {
-  if (tin.vertices.size() == kForbiddenCount)
+  if (tin.vertices.size() == kForbiddenVertexCount)
     return "the mesh has exactly 65536 vertices";
   std::vector<bool> used(tin.vertices.size(), false);
   for (std::size_t t = 0; t < tin.triangles.size(); ++t) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -14,6 +15,10 @@ struct TinVertex {
   std::uint16_t v = 0;
   std::uint16_t q = 0; ///< quantized height, see TileFrame
 };
+
+/// CesiumJS reads a mesh of exactly so many vertices wrongly: one place takes its indices for 16
+/// bits, another for 32.
+inline constexpr std::size_t kForbiddenVertexCount = 65536;
 
 using TinTriangle = std::array<std::uint32_t, 3>;
 

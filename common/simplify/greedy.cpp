@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "mesh/error_measure.h"
+#include "simplify/decimator.h"
 #include "simplify/methods.h"
 #include "simplify/node_heights.h"
 #include "simplify/triangulation.h"
@@ -45,7 +46,7 @@ class Greedy final : public Simplifier {
   void start(const Border& border, int baseGrid);
   void insertEdge(const std::vector<std::uint16_t>& places, Edge edge);
   void insertNode(int i, int j, std::int32_t hint);
-  bool insertAtFreePlace(int i, int j, std::int32_t hint);
+  bool insertAtFreePlace(const Candidate& candidate);
   NodeVertex makeVertex(int i, int j, int u, int v) const;
   NodeVertex makeVertex(int i, int j) const;
   void maskBorder();
@@ -53,7 +54,10 @@ class Greedy final : public Simplifier {
   template <class Scan, class Insert> bool refine(Scan scan, Insert insert);
   NodeError exactWorst(std::int32_t t, double tolerance) const;
   void countPlaces();
-  void finish(const LevelParams& level, Tin& out);
+  void markAllChanged();
+  ErrorMeasure finish(const LevelParams& level, Tin& out);
+  ErrorMeasure leaveForbiddenCount(const LevelParams& level, Tin& out);
+  void report(const ErrorMeasure& measure, const LevelParams& level, Tin& out) const;
   void write(Tin& out);
 
   MethodOptions options_;
@@ -62,6 +66,7 @@ class Greedy final : public Simplifier {
   bool severalPlaces_ = false; ///< a node may have more than one of its places
   Triangulation mesh_;
   NodeHeights heights_;
+  Decimator decimator_;
   std::vector<double> nodeV_;
   std::unique_ptr<SpanList<double>> spans_ = std::make_unique<SpanList<double>>();
   std::vector<Candidate> candidates_;
@@ -91,7 +96,14 @@ Status Greedy::simplify(const HeightTile& tile, const TileFrame& frame, const Bo
                    candidate.triangle);
         return true;
       });
-  finish(level, out);
+  if (options_.decimate) {
+    decimator_.run(mesh_, heights_, tile.cells() / level.baseGrid, tolerance);
+    mesh_.forgetChanges();
+  }
+  ErrorMeasure measure = finish(level, out);
+  if (out.vertices.size() == kForbiddenVertexCount)
+    measure = leaveForbiddenCount(level, out);
+  report(measure, level, out);
   return {};
 }
 
@@ -156,8 +168,9 @@ void Greedy::insertNode(int i, int j, std::int32_t hint) {
 /// quantized places around its real position. With all four it lies on a level square, whatever the
 /// slopes around: so rounding of places never keeps a node from the max error. False where none is
 /// free.
-bool Greedy::insertAtFreePlace(int i, int j, std::int32_t hint) {
-  std::uint8_t& used = places_[std::size_t(heights_.index(i, j))];
+bool Greedy::insertAtFreePlace(const Candidate& candidate) {
+  const int i = heights_.column(candidate.node), j = heights_.row(candidate.node);
+  std::uint8_t& used = places_[std::size_t(candidate.node)];
   const int west = int(frame_->nodeU(i)), south = int(frame_->nodeV(j));
   const double du = frame_->nodeU(i) - west, dv = frame_->nodeV(j) - south;
   int best = -1;
@@ -173,7 +186,8 @@ bool Greedy::insertAtFreePlace(int i, int j, std::int32_t hint) {
   if (best < 0)
     return false;
   used = severalPlaces_ ? std::uint8_t(used | 1 << best) : kAllPlaces;
-  mesh_.insert(makeVertex(i, j, west + (best & 1), south + (best >> 1)), hint);
+  mesh_.insert(makeVertex(i, j, west + (best & 1), south + (best >> 1)), candidate.triangle);
+  heights_.mask(candidate.node);
   return true;
 }
 
@@ -181,7 +195,10 @@ bool Greedy::insertAtFreePlace(int i, int j, std::int32_t hint) {
 void Greedy::countPlaces() {
   const int n = frame_->cells();
   places_.assign(std::size_t(heights_.index(n, n)) + 1, 0);
-  for (const NodeVertex& vertex : mesh_.vertices()) {
+  for (std::size_t v = 0; v < mesh_.vertices().size(); ++v) {
+    if (mesh_.leaving(std::int32_t(v)) == Triangulation::kNone)
+      continue;
+    const NodeVertex& vertex = mesh_.vertices()[v];
     const int east = vertex.corner.u - int(frame_->nodeU(vertex.i));
     const int north = vertex.corner.v - int(frame_->nodeV(vertex.j));
     std::uint8_t& used = places_[std::size_t(heights_.index(vertex.i, vertex.j))];
@@ -239,9 +256,9 @@ NodeError Greedy::exactWorst(std::int32_t t, double tolerance) const {
   }
   const int cells = frame_->cells();
   const double slope = heightPerColumn(corners[0], corners[1], corners[2], cells);
-  double worst = tolerance;
-  NodeError found;
   listSpans(corners[0], corners[1], corners[2], nodeV_.data(), slope, *spans_);
+  NodeError found;
+  double worst = tolerance;
   for (int r = 0; r < spans_->rows; ++r) {
     const int j = spans_->firstRow + r;
     for (int i = spans_->begin[r]; i < spans_->end[r]; ++i) {
@@ -257,34 +274,55 @@ NodeError Greedy::exactWorst(std::int32_t t, double tolerance) const {
   return found;
 }
 
-/// Writes the TIN, and as long as the exact measure finds nodes beyond the max error inserts more.
-void Greedy::finish(const LevelParams& level, Tin& out) {
-  bool inserted = true;
-  ErrorMeasure measure;
+/// Writes the TIN, and as long as the exact measure finds nodes beyond the max error goes on.
+ErrorMeasure Greedy::finish(const LevelParams& level, Tin& out) {
   while (true) {
     write(out);
-    measure = measureError(*tile_, *frame_, out);
-    if (measure.max <= level.maxError || !inserted)
-      break;
-    for (std::int32_t t = 0; t < mesh_.triangleSlots(); ++t) {
-      if (mesh_.alive(t))
-        mesh_.markChanged(t);
-    }
+    const ErrorMeasure measure = measureError(*tile_, *frame_, out);
+    if (measure.max <= level.maxError)
+      return measure;
+    markAllChanged();
     countPlaces();
-    inserted = refine([&](std::int32_t t) { return exactWorst(t, level.maxError); },
-                      [&](const Candidate& candidate) {
-                        const int i = heights_.column(candidate.node);
-                        const int j = heights_.row(candidate.node);
-                        heights_.mask(candidate.node);
-                        return insertAtFreePlace(i, j, candidate.triangle);
-                      });
+    const bool inserted =
+        refine([&](std::int32_t t) { return exactWorst(t, level.maxError); },
+               [&](const Candidate& candidate) { return insertAtFreePlace(candidate); });
+    if (!inserted)
+      return measure;
   }
-  const auto allNodes = std::size_t(frame_->cells() + 1) * std::size_t(frame_->cells() + 1);
+}
+
+void Greedy::markAllChanged() {
+  for (std::int32_t t = 0; t < mesh_.triangleSlots(); ++t) {
+    if (mesh_.alive(t))
+      mesh_.markChanged(t);
+  }
+}
+
+/// A mesh of 65536 vertices gets one more, the worst node of all, or has to do with one less.
+ErrorMeasure Greedy::leaveForbiddenCount(const LevelParams& level, Tin& out) {
+  countPlaces();
+  Candidate worst{~std::uint64_t(0), -1, 0};
+  for (std::int32_t t = 0; t < mesh_.triangleSlots(); ++t) {
+    const NodeError found = mesh_.alive(t) ? exactWorst(t, -1) : NodeError{};
+    if (found.node >= 0)
+      worst = std::min(worst, makeCandidate(found, t));
+  }
+  if (worst.node >= 0 && insertAtFreePlace(worst))
+    return finish(level, out);
+  decimator_.removeAny(mesh_, heights_);
+  write(out);
+  return measureError(*tile_, *frame_, out);
+}
+
+void Greedy::report(const ErrorMeasure& measure, const LevelParams& level, Tin& out) const {
+  const auto across = std::size_t(frame_->cells()) + 1;
   out.maxError = measure.max;
   out.sumSquaredError = measure.sumSquared;
-  out.reason = measure.max > level.maxError      ? StopReason::quantization
-               : out.vertices.size() == allNodes ? StopReason::allNodes
-                                                 : StopReason::maxError;
+  if (measure.max > level.maxError)
+    out.reason = StopReason::quantization;
+  else
+    out.reason =
+        out.vertices.size() == across * across ? StopReason::allNodes : StopReason::maxError;
 }
 
 void Greedy::write(Tin& out) {

@@ -72,6 +72,8 @@ QMESH_VECTOR_CLONES NodeError scanTriangle(const ScanInput& in) {
 } // namespace
 
 void NodeHeights::reset(const HeightTile& tile, const TileFrame& frame) {
+  tile_ = &tile;
+  minimum_ = frame.minHeight();
   cells_ = tile.cells();
   stride_ = cells_ + 1;
   range_ = frame.maxHeight() - frame.minHeight();
@@ -82,7 +84,7 @@ void NodeHeights::reset(const HeightTile& tile, const TileFrame& frame) {
     nodeV_.push_back(float(frame.nodeV(j)));
     const float* from = tile.row(j);
     for (int i = 0; i <= cells_; ++i)
-      *to++ = from[i] - frame.minHeight();
+      *to++ = from[i] - minimum_;
   }
   nodeV_.resize(nodeV_.size() + kLanePadding, float(kQuantizedMax));
 }
@@ -91,8 +93,8 @@ void NodeHeights::mask(std::int32_t node) {
   heights_[std::size_t(node)] = std::numeric_limits<float>::quiet_NaN();
 }
 
-void NodeHeights::unmask(std::int32_t node, float heightAboveMinimum) {
-  heights_[std::size_t(node)] = heightAboveMinimum;
+void NodeHeights::unmask(std::int32_t node) {
+  heights_[std::size_t(node)] = tile_->at(column(node), row(node)) - minimum_;
 }
 
 bool NodeHeights::isMasked(std::int32_t node) const {

@@ -22,6 +22,7 @@ struct NodeError {
 /// that needs no more attention (a vertex, a node of the border) is masked and never found.
 class NodeHeights {
  public:
+  /// REQUIRES: the tile lives as long as the heights are used.
   void reset(const HeightTile& tile, const TileFrame& frame);
 
   std::int32_t index(int i, int j) const { return j * stride_ + i; }
@@ -29,7 +30,7 @@ class NodeHeights {
   int row(std::int32_t node) const { return node / stride_; }
 
   void mask(std::int32_t node);
-  void unmask(std::int32_t node, float heightAboveMinimum);
+  void unmask(std::int32_t node);
   bool isMasked(std::int32_t node) const;
 
   /// The unmasked node of a counter-clockwise triangle whose error is largest and above the
@@ -41,6 +42,8 @@ class NodeHeights {
   float range() const { return range_; }
 
  private:
+  const HeightTile* tile_ = nullptr;
+  float minimum_ = 0;
   std::vector<float> heights_; ///< (N+1) rows of stride_ floats and one vector's worth behind
   std::vector<float> nodeV_;
   std::int32_t stride_ = 0;

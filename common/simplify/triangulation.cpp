@@ -59,15 +59,16 @@ void Triangulation::markChanged(std::int32_t t) {
   changed_.push_back(t);
 }
 
+void Triangulation::forgetChanges() {
+  for (const std::int32_t t : changed_)
+    clearChanged(t);
+  changed_.clear();
+}
+
 void Triangulation::link(std::int32_t halfEdge, std::int32_t other) {
   twin_[std::size_t(halfEdge)] = other;
   if (other != kNone)
     twin_[std::size_t(other)] = halfEdge;
-}
-
-void Triangulation::setHeight(std::int32_t v, std::uint16_t q, double height) {
-  vertices_[std::size_t(v)].q = q;
-  vertices_[std::size_t(v)].corner.height = height;
 }
 
 std::int64_t Triangulation::side(std::int32_t halfEdge, const SpanCorner& place) const {

@@ -56,7 +56,7 @@ class Triangulation {
   const std::vector<NodeVertex>& vertices() const { return vertices_; }
   const NodeVertex& vertex(std::int32_t v) const { return vertices_[std::size_t(v)]; }
   const NodeVertex& cornerOf(std::int32_t t, int k) const { return vertex(origin(3 * t + k)); }
-  void setHeight(std::int32_t v, std::uint16_t q, double height);
+  /// Gives an inner vertex another height; its triangles count as changed.
 
   /// A half-edge that leaves the vertex, kNone where it was collapsed.
   std::int32_t leaving(std::int32_t v) const { return leaving_[std::size_t(v)]; }
@@ -66,6 +66,7 @@ class Triangulation {
   bool isChanged(std::int32_t t) const { return isChanged_[std::size_t(t)] != 0; }
   void clearChanged(std::int32_t t) { isChanged_[std::size_t(t)] = 0; }
   void markChanged(std::int32_t t);
+  void forgetChanges();
 
  private:
   std::int32_t locate(const SpanCorner& place, std::int32_t hint) const;

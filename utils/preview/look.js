@@ -17,12 +17,35 @@ const terrainLook = (() => {
 
   // ---- Where the data is ----------------------------------------------------------------------
 
-  /** The layer's bounds; across the antimeridian east is less than west, as Cesium.Rectangle has it. */
+  /** West and east, in turns of the globe from 180 W, of the shortest arc that holds all tiles of a level. */
+  function arcOf(ranges, columns) {
+    const starts = ranges.map(({ startX, endX }) => [startX / columns, (endX + 1) / columns])
+      .sort((one, other) => one[0] - other[0]);
+    let [west, east] = [starts[0][0], starts[0][1]];
+    let widestGap = 0;
+    let reached = starts[0][1];
+    for (const [start, end] of [...starts.slice(1), [starts[0][0] + 1, 0]]) {
+      if (start - reached > widestGap) {
+        widestGap = start - reached;
+        [west, east] = [start % 1, reached];
+      }
+      reached = Math.max(reached, end);
+    }
+    return widestGap === 0 ? [0, 1] : [west, east];
+  }
+
+  /**
+   * Where the data is; across the antimeridian east is less than west, as Cesium.Rectangle has it. A layer.json
+   * that crosses it has bounds all round the globe: then the columns of its deepest level tell.
+   */
   function boundsOf(layer) {
     const [west, south, east, north] = layer.bounds ?? [-180, -90, 180, 90];
-    if (east - west >= 360) return Cesium.Rectangle.fromDegrees(-180, south, 180, north);
     const wrap = (lon) => (lon > 180 ? lon - 360 : lon < -180 ? lon + 360 : lon);
-    return Cesium.Rectangle.fromDegrees(wrap(west), south, wrap(east), north);
+    if (east - west < 360) return Cesium.Rectangle.fromDegrees(wrap(west), south, wrap(east), north);
+    const level = layer.available.length - 1;
+    const roots = layer.projection === "EPSG:3857" ? 1 : 2;
+    const [first, last] = arcOf(layer.available[level], roots * 2 ** level);
+    return Cesium.Rectangle.fromDegrees(first * 360 - 180, south, last * 360 - 180, north);
   }
 
   /** The deepest level at which few tiles cover the bounds. */
@@ -38,8 +61,8 @@ const terrainLook = (() => {
     return level;
   }
 
-  /** Heights that 1 % of the area is below and 99.5 % is below, in metres. */
-  async function heightRange(provider, bounds, maxLevel) {
+  /** A lattice of places over the bounds, those that have a tile of the level. */
+  function placesWithTiles(provider, bounds, level) {
     const steps = 40;
     const places = [];
     for (let row = 0; row < steps; ++row) {
@@ -47,12 +70,24 @@ const terrainLook = (() => {
         const latitude = bounds.south + (bounds.height * (row + 0.5)) / steps;
         const longitude = Cesium.Math.convertLongitudeRange(
           bounds.west + (bounds.width * (column + 0.5)) / steps);
-        places.push(new Cesium.Cartographic(longitude, latitude));
+        const place = new Cesium.Cartographic(longitude, latitude);
+        const tile = provider.tilingScheme.positionToTileXY(place, level);
+        if (tile && provider.getTileDataAvailable(tile.x, tile.y, level)) places.push(place);
       }
     }
+    return places;
+  }
+
+  /**
+   * Heights that 1 % of the area is below and 99.5 % is below, in metres. Places at exactly 0 m do not count
+   * where there are others: mostly they are voids, filled.
+   */
+  async function heightRange(provider, bounds, maxLevel) {
     const level = overviewLevel(provider, bounds, maxLevel);
-    await Cesium.sampleTerrain(provider, level, places);
-    const heights = places.map((place) => place.height).filter(Number.isFinite).sort((a, b) => a - b);
+    const places = await Cesium.sampleTerrain(provider, level, placesWithTiles(provider, bounds, level));
+    const all = places.map((place) => place.height).filter(Number.isFinite).sort((a, b) => a - b);
+    const notZero = all.filter((height) => Math.abs(height) > 0.01);
+    const heights = notZero.length > 0.05 * all.length ? notZero : all;
     if (heights.length === 0) return [0, 1];
     const low = heights[Math.floor(0.01 * (heights.length - 1))];
     const high = heights[Math.floor(0.995 * (heights.length - 1))];

@@ -157,6 +157,27 @@
     return viewer.scene.globe._surface?._tilesToRender ?? [];
   }
 
+  /**
+   * The height of a tile's terrain at a place, undefined beside it. Not the height of the surface drawn: at low
+   * levels its flat triangles lie kilometres below the curved Earth.
+   */
+  function heightOnMesh({ encoding, vertices, indices, indexCountWithoutSkirts }, rectangle, place) {
+    const u = (place.longitude - rectangle.west) / rectangle.width;
+    const v = (place.latitude - rectangle.south) / rectangle.height;
+    const corners = [0, 1, 2].map(() => new Cesium.Cartesian2());
+    for (let at = 0; at < indexCountWithoutSkirts; at += 3) {
+      const [a, b, c] = corners.map((corner, k) =>
+        encoding.decodeTextureCoordinates(vertices, indices[at + k], corner));
+      const whole = (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);
+      const atB = ((u - a.x) * (c.y - a.y) - (c.x - a.x) * (v - a.y)) / whole;
+      const atC = ((b.x - a.x) * (v - a.y) - (u - a.x) * (b.y - a.y)) / whole;
+      if (!(atB >= -1e-6 && atC >= -1e-6 && atB + atC <= 1 + 1e-6)) continue;
+      const height = (k) => encoding.decodeHeight(vertices, indices[at + k]);
+      return (1 - atB - atC) * height(0) + atB * height(1) + atC * height(2);
+    }
+    return undefined;
+  }
+
   function plural(count, word) {
     return `${count.toLocaleString("en").replaceAll(",", "\u202f")} ${word}${count === 1 ? "" : "s"}`;
   }
@@ -170,7 +191,9 @@
     }
     const place = Cesium.Cartographic.fromCartesian(hit);
     const tile = tilesDrawn(viewer).find((drawn) => Cesium.Rectangle.contains(drawn.rectangle, place));
-    const height = place.height / viewer.scene.verticalExaggeration;
+    const mesh = tile?.data?.renderedMesh;
+    const height = (mesh && heightOnMesh(mesh, tile.rectangle, place))
+      ?? place.height / viewer.scene.verticalExaggeration;
     byId("place").textContent = [
       formatAngle(place.latitude, "N", "S"), formatAngle(place.longitude, "E", "W"),
       `${formatHeight(height, 1)} m`, ...(tile ? [`level ${tile.level}`] : []),

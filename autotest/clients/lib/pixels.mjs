@@ -31,11 +31,13 @@ export async function pixelFacts(page, png, background = [18, 22, 26]) {
 }
 
 /** Sentences about what is wrong with a picture of terrain; none when it is good. */
-export function pictureProblems(facts, { atLeastDrawn = 0.15 } = {}) {
+export function pictureProblems(facts, { drawn, relief }) {
+  const percent = (share) => `${(100 * share).toFixed(1)} %`;
   const problems = [];
-  if (facts.drawn < atLeastDrawn) problems.push(`only ${(100 * facts.drawn).toFixed(1)} % of the picture is drawn`);
-  if (facts.magenta > 0.0005) problems.push(`${(100 * facts.magenta).toFixed(2)} % of the picture is magenta`);
+  if (facts.drawn < drawn) problems.push(`only ${percent(facts.drawn)} of the picture is drawn`);
+  if (facts.magenta > 0.0005) problems.push(`${percent(facts.magenta)} of the picture is magenta`);
+  if (!relief) return problems;
   if (facts.colours < 12) problems.push(`only ${facts.colours} colours: no relief`);
-  if (facts.commonest > 0.6) problems.push(`one colour fills ${(100 * facts.commonest).toFixed(0)} % of what is drawn`);
+  if (facts.commonest > 0.75) problems.push(`one colour fills ${percent(facts.commonest)} of what is drawn`);
   return problems;
 }

@@ -98,10 +98,11 @@ TEST(NodeHeights, TakesTheSmallestOfEqualNodesAndSkipsMaskedOnes) {
     for (int i = 0; i <= 64; ++i)
       patch.at(i, j) = (j == 20 || j == 40) && i % 10 == 5 ? 70 : 0;
   }
+  const HeightTile tile = patch.tile();
   TileFrame frame;
-  frame.reset(patch.tile(), place.level(10));
+  frame.reset(tile, place.level(10));
   NodeHeights heights;
-  heights.reset(patch.tile(), frame);
+  heights.reset(tile, frame);
   const SpanCorner a{0, 0, 0, 0, 0}, b{64, 0, kQuantizedMax, 0, 0},
       c{64, 0, kQuantizedMax, kQuantizedMax, 64};
   for (const std::pair<int, int>& expected :
@@ -113,7 +114,7 @@ TEST(NodeHeights, TakesTheSmallestOfEqualNodesAndSkipsMaskedOnes) {
     heights.mask(worst.node);
   }
   EXPECT_EQ(heights.worst(a, b, c, 10).node, -1);
-  heights.unmask(heights.index(35, 20), 70);
+  heights.unmask(heights.index(35, 20));
   EXPECT_EQ(heights.worst(a, b, c, 10).node, heights.index(35, 20));
   EXPECT_EQ(heights.worst(a, b, c, 70).node, -1) << "not above the tolerance";
 }

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the qmesh authors
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "simplify/node_heights.h"
+#include "simplify/triangulation.h"
+
+namespace qmesh {
+
+/// Takes vertices out of a triangulation again where its neighbourhood can do without: half-edge
+/// collapses (Hoppe 1996) bounded in the maximum norm by the heights of all nodes around. Greedy
+/// insertion leaves such vertices, because those that came first had to serve a coarser mesh.
+class Decimator {
+ public:
+  /// One pass over the inner vertices in the order of their numbers. A vertex goes when every new
+  /// triangle is counter-clockwise and no unmasked node of them, its own included, is off by more
+  /// than the tolerance (metres). Vertices on the nodes of a grid of `keptCells` nodes' spacing
+  /// stay. Returns how many went.
+  int run(Triangulation& mesh, NodeHeights& heights, int keptCells, float tolerance);
+
+  /// Takes one vertex out, the first that the geometry permits; heights do not count.
+  /// False when there is none.
+  bool removeAny(Triangulation& mesh, NodeHeights& heights);
+
+ private:
+  /// A neighbour to move the vertex onto and the error this makes at the vertex's node.
+  struct Target {
+    float error;
+    int ringIndex;
+  };
+
+  bool tryRemove(Triangulation& mesh, NodeHeights& heights, std::int32_t v, float tolerance);
+  void readRing(const Triangulation& mesh, std::int32_t v);
+  bool isVisible(std::size_t m) const;
+  float errorAtNode(std::size_t m, const SpanCorner& node) const;
+  bool isWithin(const NodeHeights& heights, std::size_t m, float tolerance) const;
+
+  std::vector<std::int32_t> star_;  ///< half-edges that leave the vertex
+  std::vector<std::int32_t> ring_;  ///< their ends, counter-clockwise
+  std::vector<SpanCorner> corners_; ///< of the ring
+  std::vector<Target> targets_;
+};
+
+} // namespace qmesh
