@@ -5,14 +5,17 @@ was forked from, so the command is started from this small program, not from the
 
 import json
 import os
+import resource
 import subprocess
 import sys
 import time
 
 
-def measured(command):
-    """Dict of code, err, wall and cpu (seconds) and peak_bytes of a command run to its end."""
-    launcher = [sys.executable, "-S", "-E", __file__, *map(str, command)]
+def measured(command, seconds=600):
+    """Dict of code, err, wall and cpu (seconds) and peak_bytes of a command run to its end, or to the
+    end of its time."""
+    timed = ["timeout", "--kill-after=5", str(seconds), *map(str, command)]
+    launcher = [sys.executable, "-S", "-E", __file__, *timed]
     done = subprocess.run(launcher, capture_output=True, text=True, check=False)
     return {**json.loads(done.stdout), "err": done.stderr}
 
@@ -20,7 +23,8 @@ def measured(command):
 def main():
     started = time.monotonic()
     child = subprocess.Popen(sys.argv[1:], stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL)
-    _, status, usage = os.wait4(child.pid, 0)
+    _, status, _ = os.wait4(child.pid, 0)
+    usage = resource.getrusage(resource.RUSAGE_CHILDREN)  # of the command, below `timeout`
     print(json.dumps({
         "code": os.waitstatus_to_exitcode(status),
         "wall": time.monotonic() - started,

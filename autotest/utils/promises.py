@@ -59,17 +59,13 @@ def nodes_of(path, profile, cells, max_zoom, void_fill=0.0, **options):
 
 def rounding_bound(height, node_u, node_v, step):
     """How far off a mesh of *all* nodes may be at each node because vertices lie on whole (u, v) and
-    heights on multiples of `step`: the slopes beside the node times its displacement."""
+    heights on multiples of `step`: the steepest slopes around the node times its displacement."""
     bound = np.full(height.shape, step / 2)
-    for axis, at in ((1, node_u), (0, node_v)):
-        slope = np.abs(np.diff(height, axis=axis)) / (
-            np.diff(np.round(at))[None, :] if axis == 1 else np.diff(np.round(at))[:, None])
-        pad = [(0, 0), (0, 0)]
-        pad[axis] = (1, 1)
-        slope = np.pad(slope, pad)
-        beside = np.maximum(slope[1:], slope[:-1]) if axis == 0 else np.maximum(slope[:, 1:], slope[:, :-1])
-        moved = np.abs(np.round(at) - at)
-        bound = bound + beside * (moved[None, :] if axis == 1 else moved[:, None])
+    for grid, out, at in ((height, bound, node_u), (height.T, bound.T, node_v)):
+        slope = np.pad(np.abs(np.diff(grid, axis=1)) / np.diff(np.round(at)), ((1, 1), (1, 1)))
+        beside = np.maximum(slope[:, 1:], slope[:, :-1])
+        around = np.maximum(beside[1:-1], np.maximum(beside[2:], beside[:-2]))
+        out += around * np.abs(np.round(at) - at)
     return bound
 
 

@@ -2,8 +2,6 @@
 # Copyright (c) 2026 the qmesh authors
 """P4: memory stays within --memory whatever the size of the DEM; empty space costs nothing."""
 
-import time
-
 import numpy as np
 import pytest
 from osgeo import gdal
@@ -50,11 +48,10 @@ def test_a_raster_that_could_never_be_held(tmp_path, dem):
     gdal.BuildVRT(str(tmp_path / "far.vrt"), [str(west), str(east)]).FlushCache()
     shape = gdal.Open(str(tmp_path / "far.vrt"))
     assert shape.RasterXSize > 400_000 and shape.RasterYSize > 190_000
-    started = time.monotonic()
-    run = measured([harness.BIN, "-q", "-x", "--memory", "256MB", tmp_path / "far.vrt", tmp_path / "a"])
-    assert run["code"] == 0, run["err"]
+    run = measured([harness.BIN, "-q", "-x", "--memory", "256MB", tmp_path / "far.vrt",
+                    tmp_path / "a"], seconds=60)
+    assert run["code"] == 0, f"the empty space between them is paid for: {run}"
     assert run["peak_bytes"] < (256 << 20) + BASE
-    assert time.monotonic() - started < 60, "the empty space between them was paid for"
     tiles = TileSet(tmp_path / "a")
     top = max(tiles.levels())
     heights = [tiles.tile(*t).heights().max() for t in tiles.levels()[top]]

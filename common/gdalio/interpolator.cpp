@@ -180,7 +180,38 @@ float Interpolator::weighted(const Kernel& kernelX, const Kernel& kernelY, doubl
   return float(sum / validWeight);
 }
 
+/// The kernel where all its pixels are valid; else NaN.
+float Interpolator::allValid(double x, double y) {
+  const PixelWindow& p = *pixels_;
+  kernelX_.taps(x, tapsX_);
+  if (y != tapsYFor_) { // rows of a geographic raster share it
+    kernelY_.taps(y, fullTapsY_);
+    tapsYFor_ = y;
+  }
+  const Taps& rows = fullTapsY_;
+  const int c0 = tapsX_.first;
+  if (!p.contains(c0, rows.first) ||
+      !p.contains(c0 + tapsX_.count - 1, rows.first + rows.count - 1))
+    return kVoid;
+  const auto columns = std::size_t(tapsX_.count);
+  const float* line =
+      &p.data[std::size_t(rows.first - p.row) * std::size_t(p.width) + std::size_t(c0 - p.column)];
+  columnSums_.assign(columns, 0);
+  for (int r = 0; r < rows.count; ++r, line += p.width) {
+    const double weight = rows.weight[std::size_t(r)];
+    for (std::size_t c = 0; c < columns; ++c)
+      columnSums_[c] += weight * double(line[c]);
+  }
+  double sum = 0;
+  for (std::size_t c = 0; c < columns; ++c)
+    sum += tapsX_.weight[c] * columnSums_[c];
+  return float(sum);
+}
+
 float Interpolator::general(double x, double y) {
+  const float full = allValid(x, y);
+  if (!isVoid(full))
+    return full;
   if (reducing_ ? !halfValid(x, y) : isVoid(byPixel(x, y)))
     return kVoid;
   double validWeight = 0;

@@ -2,6 +2,9 @@
 // Copyright (c) 2026 the qmesh authors
 #pragma once
 
+#include <limits>
+#include <vector>
+
 #include "gdalio/kernel.h"
 #include "gdalio/node_positions.h"
 #include "gdalio/pixel_frame.h"
@@ -38,6 +41,7 @@ class Interpolator {
   float byPixel(double x, double y) const;
   float bilinear(double x, double y) const;
   float general(double x, double y);
+  float allValid(double x, double y);
   float weighted(const Kernel& kernelX, const Kernel& kernelY, double x, double y,
                  double& validWeight);
   void runBilinear(const double* x, const double* y, int count, float* out) const;
@@ -56,7 +60,9 @@ class Interpolator {
   double radiusX_, radiusY_;
   const PixelWindow* pixels_ = nullptr;
   bool allSurrounded_ = false; ///< the four pixels round every position are in the window
-  Taps tapsX_, tapsY_;
+  Taps tapsX_, tapsY_, fullTapsY_;
+  double tapsYFor_ = std::numeric_limits<double>::quiet_NaN(); ///< the row fullTapsY_ is for
+  std::vector<double> columnSums_;
 };
 
 } // namespace qmesh

@@ -42,11 +42,6 @@ class LanczosTable {
   std::array<double, kEntries + 1> entry_;
 };
 
-double lanczos(double x) {
-  static const LanczosTable table;
-  return table(x);
-}
-
 double keys(double x) {
   if (x < 1)
     return (1.5 * x - 2.5) * x * x + 1;
@@ -78,17 +73,30 @@ Kernel::Kernel(Resampling resampling, double scale)
       radius_(resampling == Resampling::average ? (scale + 1) / 2 : baseRadius(resampling) * scale),
       negative_(resampling == Resampling::cubic || resampling == Resampling::lanczos) {}
 
-double Kernel::weight(double distance) const {
-  const double x = std::abs(distance) / scale_;
+/// Sets the weights of the taps from a kernel of the distance in stretched pixels; returns their
+/// sum.
+template <class Weight> double Kernel::fill(double centre, Taps& out, const Weight& weight) const {
+  const double perPixel = 1 / scale_;
+  double sum = 0;
+  for (int k = 0; k < out.count; ++k) {
+    const double w = weight(std::abs(out.first + k - centre) * perPixel);
+    out.weight[std::size_t(k)] = w;
+    sum += w;
+  }
+  return sum;
+}
+
+double Kernel::fill(double centre, Taps& out) const {
+  static const LanczosTable lanczos;
   switch (resampling_) {
   case Resampling::cubic:
-    return keys(x);
+    return fill(centre, out, keys);
   case Resampling::cubicspline:
-    return bSpline(x);
+    return fill(centre, out, bSpline);
   case Resampling::lanczos:
-    return lanczos(x);
+    return fill(centre, out, lanczos);
   default:
-    return std::max(0.0, 1 - x);
+    return fill(centre, out, [](double x) { return std::max(0.0, 1 - x); });
   }
 }
 
@@ -104,14 +112,10 @@ void Kernel::taps(double position, Taps& out) const {
   out.first = int(std::ceil(centre - radius_));
   out.count = int(std::floor(centre + radius_)) - out.first + 1;
   out.weight.resize(std::size_t(out.count));
-  double sum = 0;
-  for (int k = 0; k < out.count; ++k) {
-    out.weight[std::size_t(k)] = weight(out.first + k - centre);
-    sum += out.weight[std::size_t(k)];
-  }
+  const double perSum = 1 / fill(centre, out);
   double moment = 0;
   for (int k = 0; k < out.count; ++k) {
-    out.weight[std::size_t(k)] /= sum;
+    out.weight[std::size_t(k)] *= perSum;
     moment += out.weight[std::size_t(k)] * (out.first + k - centre);
   }
   // A stretched kernel's centre of gravity misses the node by up to 1/50 pixel. Moved between the

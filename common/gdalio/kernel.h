@@ -31,7 +31,8 @@ class Kernel {
   void taps(double position, Taps& out) const;
 
  private:
-  double weight(double distance) const;
+  template <class Weight> double fill(double centre, Taps& out, const Weight& weight) const;
+  double fill(double centre, Taps& out) const;
 
   Resampling resampling_;
   double scale_;

@@ -40,21 +40,22 @@ DecodedTin decodeTin(const TileFrame& frame, const Tin& tin) {
 /// Squares and maxima by lanes, over all triangles.
 struct LaneSums {
   Doubles squares = {};
-  Doubles worst = Doubles{} - 1.0;
-  Masks nodes = {}; ///< j * (N + 1) + i
+  Doubles worst = {};
 };
 
 QMESH_INLINE void addErrors(const HeightTile& tile, const SpanList<double>& list, double slope,
                             LaneSums& total) {
   const Masks lanes = {0, 1, 2, 3};
   const Doubles rise = __builtin_convertvector(lanes, Doubles) * slope;
-  const int cells = tile.cells();
-  const int readable = cells + kTileHalo + 1; // columns of a row that exist
-  LaneSums sums = total;
+  const int readable = tile.cells() + kTileHalo + 1; // columns of a row that exist
+  Doubles squares = total.squares, worst = total.worst;
   for (int r = 0; r < list.rows; ++r) {
-    const int j = list.firstRow + r;
-    const float* row = tile.row(j);
-    for (int i = list.begin[r]; i < list.end[r]; i += kLanes) {
+    const float* row = tile.row(list.firstRow + r);
+    int i = list.begin[r];
+    const int end = i + list.count[r];
+    Doubles plane = list.height[r] + rise;
+    Masks left = Masks{} + list.count[r];
+    do { // also for a row without nodes: cheaper than to foresee which one it is
       const float* from = row + i;
       float lastOnes[kLanes] = {};
       if (i + kLanes > readable) {
@@ -63,17 +64,17 @@ QMESH_INLINE void addErrors(const HeightTile& tile, const SpanList<double>& list
       }
       Floats heights;
       std::memcpy(&heights, from, sizeof heights);
-      const double height = list.height[r] + (i - list.begin[r]) * slope;
-      Doubles error = (height + rise) - __builtin_convertvector(heights, Doubles);
-      const Masks inside = lanes < (Masks{} + (list.end[r] - i));
-      error = Doubles(Masks(error) & inside & 0x7fffffffffffffff);
-      sums.squares += error * error;
-      const Masks worse = (error > sums.worst) & inside;
-      sums.worst = worse ? error : sums.worst;
-      sums.nodes = worse ? lanes + (j * (cells + 1) + i) : sums.nodes;
-    }
+      Doubles error = plane - __builtin_convertvector(heights, Doubles);
+      error = Doubles(Masks(error) & (lanes < left) & 0x7fffffffffffffff);
+      squares += error * error;
+      worst = error > worst ? error : worst;
+      plane += kLanes * slope;
+      left -= kLanes;
+      i += kLanes;
+    } while (i < end);
   }
-  total = sums;
+  total.squares = squares;
+  total.worst = worst;
 }
 
 QMESH_VECTOR_CLONES void addTriangles(const HeightTile& tile, const DecodedTin& decoded,
@@ -92,21 +93,14 @@ QMESH_VECTOR_CLONES void addTriangles(const HeightTile& tile, const DecodedTin& 
 } // namespace
 
 ErrorMeasure measureError(const HeightTile& tile, const TileFrame& frame, const Tin& tin) {
+  const DecodedTin decoded = decodeTin(frame, tin);
   LaneSums sums;
-  addTriangles(tile, decodeTin(frame, tin), tin, sums);
+  addTriangles(tile, decoded, tin, sums);
   ErrorMeasure measure;
-  std::int64_t worst = 0;
   for (int lane = 0; lane < kLanes; ++lane) {
-    const double error = sums.worst[lane];
-    const std::int64_t node = sums.nodes[lane];
     measure.sumSquared += sums.squares[lane];
-    if (error > measure.max || (error == measure.max && node < worst)) {
-      measure.max = error;
-      worst = node;
-    }
+    measure.max = std::max(measure.max, double(sums.worst[lane]));
   }
-  measure.worstColumn = int(worst % (tile.cells() + 1));
-  measure.worstRow = int(worst / (tile.cells() + 1));
   return measure;
 }
 

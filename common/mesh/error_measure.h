@@ -12,8 +12,6 @@ namespace qmesh {
 struct ErrorMeasure {
   double max = 0;        ///< metres
   double sumSquared = 0; ///< square metres, each of the (N+1)^2 nodes once
-  int worstColumn = 0;   ///< node of `max`
-  int worstRow = 0;
 };
 
 /// Evaluates the decoded TIN in double precision at every node of the tile, borders included. A

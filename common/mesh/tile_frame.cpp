@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
+
+#include "mesh/lanes.h"
 
 namespace qmesh {
 
@@ -19,16 +22,25 @@ struct HeightRange {
   float max;
 };
 
-HeightRange nodeRange(const HeightTile& tile) {
-  const int count = tile.cells() + 1;
-  HeightRange range{tile.at(0, 0), tile.at(0, 0)};
-  for (int j = 0; j < count; ++j) {
+QMESH_VECTOR_CLONES HeightRange nodeRange(const HeightTile& tile) {
+  using Floats = Lanes<float>::Reals;
+  constexpr int lanes = Lanes<float>::kCount;
+  const int cells = tile.cells(); // a multiple of the lanes
+  Floats low = Floats{} + tile.at(0, 0), high = low;
+  for (int j = 0; j <= cells; ++j) {
     const float* row = tile.row(j);
-    for (int i = 0; i < count; ++i) {
-      range.min = row[i] < range.min ? row[i] : range.min;
-      range.max = row[i] > range.max ? row[i] : range.max;
+    for (int i = 1; i <= cells; i += lanes) {
+      Floats heights;
+      std::memcpy(&heights, row + i, sizeof heights);
+      low = heights < low ? heights : low;
+      high = heights > high ? heights : high;
     }
   }
+  HeightRange range{low[0], high[0]};
+  for (int k = 0; k < lanes; ++k)
+    range = {std::min(range.min, low[k]), std::max(range.max, high[k])};
+  for (int j = 0; j <= cells; ++j)
+    range = {std::min(range.min, tile.at(0, j)), std::max(range.max, tile.at(0, j))};
   return range;
 }
 

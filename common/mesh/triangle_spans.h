@@ -30,6 +30,15 @@ inline std::int64_t doubledArea(const SpanCorner& a, const SpanCorner& b, const 
   return std::int64_t(b.u - a.u) * (c.v - a.v) - std::int64_t(b.v - a.v) * (c.u - a.u);
 }
 
+/// Height of a triangle's plane at a place, metres.
+inline double planeHeight(const SpanCorner& a, const SpanCorner& b, const SpanCorner& c,
+                          const SpanCorner& place) {
+  return (double(doubledArea(b, c, place)) * a.height +
+          double(doubledArea(c, a, place)) * b.height +
+          double(doubledArea(a, b, place)) * c.height) /
+         double(doubledArea(a, b, c));
+}
+
 /// Rise of a triangle's plane per column, metres.
 QMESH_INLINE double heightPerColumn(const SpanCorner& a, const SpanCorner& b, const SpanCorner& c,
                                     int cells) {
@@ -49,7 +58,7 @@ template <class Real> struct SpanList {
   int firstRow = 0;
   int rows = 0;
   std::int32_t begin[kMaxRows];
-  std::int32_t end[kMaxRows];
+  std::int32_t count[kMaxRows];
   Real height[kMaxRows];
 };
 
@@ -91,14 +100,14 @@ QMESH_INLINE void addRows(const SpanLine<Real>& left, const SpanLine<Real>& righ
     std::memcpy(&v, nodeV + j, sizeof v);
     const Reals west = left.column + (v - left.v) * left.columnSlope;
     const Reals east = right.column + (v - right.v) * right.columnSlope;
-    typename Lanes<Real>::Ints begin, end;
+    typename Lanes<Real>::Ints begin, count;
     ceilLanes<Real>(west, begin);
-    ceilLanes<Real>(east, end);
-    end += right.eastBorder;
+    ceilLanes<Real>(east, count);
+    count += right.eastBorder - begin;
     const Reals height = left.height + (v - left.v) * left.heightSlope +
                          (__builtin_convertvector(begin, Reals) - west) * slope;
     std::memcpy(list.begin + k, &begin, sizeof begin);
-    std::memcpy(list.end + k, &end, sizeof end);
+    std::memcpy(list.count + k, &count, sizeof count);
     std::memcpy(list.height + k, &height, sizeof height);
   }
 }
@@ -115,7 +124,7 @@ QMESH_INLINE void addTopRow(const SpanCorner& a, const SpanCorner& b, Real slope
   };
   const int k = list.rows++;
   list.begin[k] = ceiling(Real(west.column));
-  list.end[k] = ceiling(Real(east.column)) + (east.u == kQuantizedMax ? 1 : 0);
+  list.count[k] = ceiling(Real(east.column)) + (east.u == kQuantizedMax ? 1 : 0) - list.begin[k];
   list.height[k] = Real(west.height) + (Real(list.begin[k]) - Real(west.column)) * slope;
 }
 

@@ -107,11 +107,7 @@ float Decimator::errorAtNode(std::size_t m, const SpanCorner& node) const {
     ++k;
   const SpanCorner& a = corners_[(m + k) % count];
   const SpanCorner& b = corners_[(m + k + 1) % count];
-  const auto area = double(doubledArea(apex, a, b));
-  const double height = (double(doubledArea(a, b, node)) * apex.height +
-                         double(doubledArea(b, apex, node)) * a.height +
-                         double(doubledArea(apex, a, node)) * b.height) /
-                        area;
+  const double height = planeHeight(apex, a, b, node);
   return float(std::abs(height - node.height));
 }
 

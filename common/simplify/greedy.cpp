@@ -15,6 +15,13 @@ namespace qmesh {
 
 namespace {
 
+/// Cells per edge of the densest grid of seeds.
+constexpr int kSeedCells = 8;
+
+/// Relative difference of two ways to compute one error.
+constexpr double kRoundingSlack = 1e-9;
+
+/// The bits of a node with a vertex at each of its four places.
 constexpr std::uint8_t kAllPlaces = 15;
 
 /// A node to insert and the triangle it is the worst of.
@@ -44,6 +51,7 @@ class Greedy final : public Simplifier {
 
  private:
   void start(const Border& border, int baseGrid);
+  void seed(double tolerance);
   void insertEdge(const std::vector<std::uint16_t>& places, Edge edge);
   void insertNode(int i, int j, std::int32_t hint);
   bool insertAtFreePlace(const Candidate& candidate);
@@ -84,6 +92,7 @@ Status Greedy::simplify(const HeightTile& tile, const TileFrame& frame, const Bo
   heights_.reset(tile, frame);
   start(border, level.baseGrid);
   const float tolerance = scanTolerance(level.maxError);
+  seed(tolerance);
   refine(
       [&](std::int32_t t) {
         return heights_.worst(mesh_.cornerOf(t, 0).corner, mesh_.cornerOf(t, 1).corner,
@@ -105,6 +114,26 @@ Status Greedy::simplify(const HeightTile& tile, const TileFrame& frame, const Bo
     measure = leaveForbiddenCount(level, out);
   report(measure, level, out);
   return {};
+}
+
+/// A first coarse mesh without scans: of ever denser grids, the nodes that are off by more than the
+/// tolerance when their turn comes. It saves the rounds in which few triangles hold all nodes.
+void Greedy::seed(double tolerance) {
+  const int n = frame_->cells();
+  for (int step = n / 4; step >= std::max(n / kSeedCells, 4); step /= 2) {
+    for (int j = step; j < n; j += step) {
+      for (int i = step; i < n; i += step) {
+        if (heights_.isMasked(heights_.index(i, j)))
+          continue;
+        const NodeVertex vertex = makeVertex(i, j);
+        const std::int32_t t = mesh_.locate(vertex.corner, mesh_.changed().back());
+        const double height = planeHeight(mesh_.cornerOf(t, 0).corner, mesh_.cornerOf(t, 1).corner,
+                                          mesh_.cornerOf(t, 2).corner, vertex.corner);
+        if (std::abs(height - vertex.corner.height) > tolerance)
+          insertNode(i, j, t);
+      }
+    }
+  }
 }
 
 /// The corners, the border and the curvature grid.
@@ -261,7 +290,7 @@ NodeError Greedy::exactWorst(std::int32_t t, double tolerance) const {
   double worst = tolerance;
   for (int r = 0; r < spans_->rows; ++r) {
     const int j = spans_->firstRow + r;
-    for (int i = spans_->begin[r]; i < spans_->end[r]; ++i) {
+    for (int i = spans_->begin[r]; i < spans_->begin[r] + spans_->count[r]; ++i) {
       const double error =
           std::abs(spans_->height[r] + (i - spans_->begin[r]) * slope - tile_->at(i, j));
       const bool inner = i > 0 && j > 0 && i < cells && j < cells;
@@ -283,8 +312,9 @@ ErrorMeasure Greedy::finish(const LevelParams& level, Tin& out) {
       return measure;
     markAllChanged();
     countPlaces();
+    const double tolerance = level.maxError * (1 - kRoundingSlack);
     const bool inserted =
-        refine([&](std::int32_t t) { return exactWorst(t, level.maxError); },
+        refine([&](std::int32_t t) { return exactWorst(t, tolerance); },
                [&](const Candidate& candidate) { return insertAtFreePlace(candidate); });
     if (!inserted)
       return measure;

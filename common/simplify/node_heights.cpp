@@ -2,6 +2,7 @@
 // Copyright (c) 2026 the qmesh authors
 #include "simplify/node_heights.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -13,6 +14,8 @@ namespace {
 using Floats = Lanes<float>::Reals;
 using Ints = Lanes<float>::Ints;
 constexpr int kLanes = Lanes<float>::kCount;
+constexpr std::int32_t kNoBlock = 1 << 20; // above the number of blocks of any triangle
+constexpr std::int32_t kNoPlace = std::numeric_limits<std::int32_t>::max();
 
 /// What the scan of a triangle reads.
 struct ScanInput {
@@ -26,17 +29,38 @@ struct ScanInput {
   float tolerance;
 };
 
-/// The largest of the lanes; of equal ones the smallest node.
-NodeError best(const float* errors, const std::int32_t* nodes) {
-  NodeError found;
-  for (int lane = 0; lane < kLanes; ++lane) {
-    if (nodes[lane] < 0)
-      continue;
-    if (found.node < 0 || errors[lane] > found.error ||
-        (errors[lane] == found.error && nodes[lane] < found.node))
-      found = {nodes[lane], errors[lane]};
-  }
-  return found;
+/// A lane of a numbered block of eight nodes, and the error there.
+struct BlockError {
+  std::int32_t block;
+  std::int32_t lane;
+  float error;
+};
+
+/// The largest of the lanes' errors; of equal ones that of the first block, then the first lane.
+/// Without branches: which lane wins cannot be foreseen.
+QMESH_INLINE BlockError bestLane(const Floats& errors, const Ints& blocks) {
+  float error = errors[0];
+  for (int lane = 1; lane < kLanes; ++lane)
+    error = errors[lane] > error ? errors[lane] : error;
+  const Ints lanes = {0, 1, 2, 3, 4, 5, 6, 7};
+  const Ints places = errors == (Floats{} + error) ? blocks * kLanes + lanes : Ints{} + kNoPlace;
+  std::int32_t place = places[0];
+  for (int lane = 1; lane < kLanes; ++lane)
+    place = places[lane] < place ? places[lane] : place;
+  return {place / kLanes, place % kLanes, error};
+}
+
+/// The node of a lane: rows take one block at least, and one for every eight nodes.
+NodeError findNode(const SpanList<float>& list, std::int32_t stride, const BlockError& best) {
+  std::int32_t block = best.block;
+  int r = 0;
+  const auto blocksOf = [&](int row) {
+    return std::max(1, (list.count[row] + kLanes - 1) / kLanes);
+  };
+  for (; block >= blocksOf(r); ++r)
+    block -= blocksOf(r);
+  const int column = list.begin[r] + block * kLanes + best.lane;
+  return {(list.firstRow + r) * stride + column, best.error};
 }
 
 QMESH_VECTOR_CLONES NodeError scanTriangle(const ScanInput& in) {
@@ -47,26 +71,30 @@ QMESH_VECTOR_CLONES NodeError scanTriangle(const ScanInput& in) {
   const Ints lanes = {0, 1, 2, 3, 4, 5, 6, 7};
   const Floats rise = __builtin_convertvector(lanes, Floats) * slope;
   Floats worst = Floats{} + in.tolerance;
-  Ints nodes = Ints{} - 1;
-  for (int r = 0; r < list.rows; ++r) {
-    const std::int32_t row = (list.firstRow + r) * in.stride;
-    for (int i = list.begin[r]; i < list.end[r]; i += kLanes) {
-      Floats heights;
-      std::memcpy(&heights, in.heights + row + i, sizeof heights);
-      const float height = list.height[r] + float(i - list.begin[r]) * slope;
-      Floats error = (height + rise) - heights;
-      error = Floats(Ints(error) & 0x7fffffff);
+  Ints blocks = Ints{} + kNoBlock;
+  Ints block = {};
+  const float* row = in.heights + std::ptrdiff_t(list.firstRow) * in.stride;
+  for (int r = 0; r < list.rows; ++r, row += in.stride) {
+    const float* from = row + list.begin[r];
+    const float* end = from + list.count[r];
+    Floats plane = list.height[r] + rise;
+    Ints left = Ints{} + list.count[r];
+    do { // also for a row without nodes: cheaper than to foresee which one it is
+      Floats error;
+      std::memcpy(&error, from, sizeof error);
+      error = Floats(Ints(plane - error) & 0x7fffffff);
       // A masked node is NaN and compares false.
-      const Ints worse = (error > worst) & (lanes < (list.end[r] - i));
+      const Ints worse = (error > worst) & (lanes < left);
       worst = worse ? error : worst;
-      nodes = worse ? lanes + (row + i) : nodes;
-    }
+      blocks = worse ? block : blocks;
+      plane += kLanes * slope;
+      left -= kLanes;
+      block += 1;
+      from += kLanes;
+    } while (from < end);
   }
-  float errors[kLanes];
-  std::int32_t found[kLanes];
-  std::memcpy(errors, &worst, sizeof errors);
-  std::memcpy(found, &nodes, sizeof found);
-  return best(errors, found);
+  const BlockError best = bestLane(worst, blocks);
+  return best.block == kNoBlock ? NodeError{} : findNode(list, in.stride, best);
 }
 
 } // namespace

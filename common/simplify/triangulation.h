@@ -37,6 +37,9 @@ class Triangulation {
   /// REQUIRES: no vertex at its place; it lies within the square. Returns its index.
   std::int32_t insert(const NodeVertex& vertex, std::int32_t hint);
 
+  /// The triangle that holds a place of the square; the search begins at `hint`.
+  std::int32_t locate(const SpanCorner& place, std::int32_t hint) const;
+
   /// Takes an inner vertex away by moving it onto its neighbour `target`.
   /// REQUIRES: every triangle that keeps two other corners of its star stays counter-clockwise.
   void collapse(std::int32_t vertex, std::int32_t target);
@@ -69,7 +72,6 @@ class Triangulation {
   void forgetChanges();
 
  private:
-  std::int32_t locate(const SpanCorner& place, std::int32_t hint) const;
   std::int32_t search(const SpanCorner& place) const;
   std::int64_t side(std::int32_t halfEdge, const SpanCorner& place) const;
   std::int32_t newTriangle();

@@ -70,11 +70,7 @@ ErrorMeasure bruteForce(const HeightTile& tile, const TileFrame& frame, const Ti
             wa * frame.decode(a.q) + wb * frame.decode(b.q) + wc * frame.decode(c.q);
         const double error = std::abs(double(height - tile.at(i, j)));
         measure.sumSquared += error * error;
-        if (error > measure.max) {
-          measure.max = error;
-          measure.worstColumn = i;
-          measure.worstRow = j;
-        }
+        measure.max = std::max(measure.max, error);
         break;
       }
     }
@@ -98,8 +94,6 @@ TEST(MeasureError, AgreesWithBruteForce) {
       const ErrorMeasure found = measureError(patch.tile(), frame, tin);
       EXPECT_NEAR(found.max, expected.max, 1e-7);
       EXPECT_NEAR(found.sumSquared, expected.sumSquared, 1e-9 * expected.sumSquared);
-      EXPECT_EQ(found.worstColumn, expected.worstColumn);
-      EXPECT_EQ(found.worstRow, expected.worstRow);
     }
   }
 }
