@@ -14,44 +14,58 @@ struct EdgeProfile {
   const float* heights;
   std::ptrdiff_t stride;
   const TileFrame& frame;
-  bool alongRow; ///< south and north edges run along u
-  double step;   ///< S of the level, not the coarser one of a tile: the neighbour has another
+  bool alongRow;  ///< south and north edges run along u
+  double step;    ///< S of the level, not the coarser one of a tile: the neighbour has another
+  bool twoPlaces; ///< a node may have both its places
 
-  double place(int k) const { return alongRow ? frame.nodeU(k) : frame.nodeV(k); }
-  double vertexPlace(int k) const { return alongRow ? frame.u(k) : frame.v(k); }
-  double height(int k) const { return heights[k * stride]; }
-  double vertexHeight(int k) const { return roundToLattice(height(k), step); }
+  double place(int node) const { return alongRow ? frame.nodeU(node) : frame.nodeV(node); }
+  int nearestPlace(int node) const { return alongRow ? frame.u(node) : frame.v(node); }
+  double height(int node) const { return heights[node * stride]; }
+  double vertexHeight(int node) const { return roundToLattice(height(node), step); }
 };
 
-/// A node and how far it is from the line between two vertices, metres.
+/// A vertex of an edge: a node at one of the two places around its position.
+struct EdgeVertex {
+  int node;
+  int place;
+};
+
 struct Worst {
-  int node = -1;
-  double error = -1;
+  EdgeVertex vertex{-1, 0}; ///< what to insert
+  double error = -1;        ///< metres
 };
 
-/// The worst node between the nodes a and b. The two themselves may be off by the rounding of
-/// their places; more vertices would not mend that, so they are not asked.
-Worst worstBetween(const EdgeProfile& profile, int a, int b) {
-  const double pa = profile.vertexPlace(a), ha = profile.vertexHeight(a);
-  const double slope = (profile.vertexHeight(b) - ha) / (profile.vertexPlace(b) - pa);
+/// The node whose position lies between two vertices and that is farthest from the line between
+/// them. That may be the node of one of the two: then its other place goes in.
+Worst worstBetween(const EdgeProfile& profile, const EdgeVertex& a, const EdgeVertex& b) {
+  const double ha = profile.vertexHeight(a.node);
+  const double slope = (profile.vertexHeight(b.node) - ha) / (b.place - a.place);
   Worst worst;
-  for (int k = a + 1; k < b; ++k) {
-    const double error = std::abs(ha + (profile.place(k) - pa) * slope - profile.height(k));
-    if (error > worst.error)
-      worst = {k, error};
+  for (int k = a.node; k <= b.node; ++k) {
+    const double place = profile.place(k);
+    const bool isVertex = k == a.node || k == b.node;
+    if (place <= a.place || place >= b.place || (isVertex && !profile.twoPlaces))
+      continue;
+    const double error = std::abs(ha + (place - a.place) * slope - profile.height(k));
+    if (error > worst.error) {
+      worst.error = error;
+      worst.vertex = {k, k == a.node   ? a.place + 1
+                         : k == b.node ? b.place - 1
+                                       : profile.nearestPlace(k)};
+    }
   }
   return worst;
 }
 
-/// Appends the vertices within a..b, b excluded, in ascending order.
-void splitLine(const EdgeProfile& profile, int a, int b, double tolerance,
-               std::vector<std::uint16_t>& vertices) {
+/// Appends the places within a..b, b excluded, in ascending order.
+void splitLine(const EdgeProfile& profile, const EdgeVertex& a, const EdgeVertex& b,
+               double tolerance, std::vector<std::uint16_t>& places) {
   const Worst worst = worstBetween(profile, a, b);
-  if (worst.error > tolerance) {
-    splitLine(profile, a, worst.node, tolerance, vertices);
-    splitLine(profile, worst.node, b, tolerance, vertices);
+  if (worst.error > tolerance && b.place - a.place > 1) {
+    splitLine(profile, a, worst.vertex, tolerance, places);
+    splitLine(profile, worst.vertex, b, tolerance, places);
   } else {
-    vertices.push_back(std::uint16_t(a));
+    places.push_back(std::uint16_t(a.place));
   }
 }
 
@@ -65,18 +79,20 @@ void makeBorder(const HeightTile& tile, const TileFrame& frame, const LevelParam
   const double tolerance = level.maxError - std::min(0.0005, level.maxError / 16);
   const std::ptrdiff_t north = tile.row(1) - tile.row(0);
   const auto makeEdge = [&](Edge edge, int i, int j, bool alongRow) {
-    const EdgeProfile profile{tile.row(j) + i, alongRow ? 1 : north, frame, alongRow,
-                              level.latticeStep};
+    const EdgeProfile profile{tile.row(j) + i, alongRow ? 1 : north, frame,
+                              alongRow,        level.latticeStep,    level.canReachMaxError()};
     const bool pole = alongRow && tile.lattice().isPole(tile.row0() + j);
-    std::vector<std::uint16_t>& vertices = border[edge];
-    vertices.clear();
+    std::vector<std::uint16_t>& places = border[edge];
+    places.clear();
     for (int k = 0; k < cells; k += baseCells) {
+      const EdgeVertex from{k, profile.nearestPlace(k)};
+      const EdgeVertex to{k + baseCells, profile.nearestPlace(k + baseCells)};
       if (pole)
-        vertices.push_back(std::uint16_t(k));
+        places.push_back(std::uint16_t(from.place));
       else
-        splitLine(profile, k, k + baseCells, tolerance, vertices);
+        splitLine(profile, from, to, tolerance, places);
     }
-    vertices.push_back(std::uint16_t(cells));
+    places.push_back(kQuantizedMax);
   };
   makeEdge(kWest, 0, 0, false);
   makeEdge(kSouth, 0, 0, true);

@@ -15,15 +15,18 @@ namespace qmesh {
 /// Order of the four edges everywhere: as in the quantized-mesh format.
 enum Edge { kWest = 0, kSouth = 1, kEast = 2, kNorth = 3 };
 
-/// The vertices of a tile's four edges: node positions 0..N along each edge, ascending (from the
-/// south-west), both corners included.
+/// The vertices of a tile's four edges: quantized places 0..32767 along each edge, ascending (from
+/// the south-west), both corners included. A vertex stands for the node nearest to it and has its
+/// height; where one place is not enough a node has two, on both sides of its real position.
 using Border = std::array<std::vector<std::uint16_t>, 4>;
 
 /// The border contract (promise P1): the vertices of an edge are a pure function of that edge's
 /// nodes and the level, so both its tiles find the same. Top-down insertion of the worst node
-/// (Douglas & Peucker 1973) on heights rounded to the level's lattice S and on decoded positions,
-/// until every node of the edge is within the max error; the nodes of the curvature grid always
-/// belong to it. A pole's edge has the curvature grid only.
+/// (Douglas & Peucker 1973) on heights rounded to the level's lattice S and on decoded places,
+/// until every node of the edge is within the max error (promise P2): where a vertex's rounded
+/// place puts its own node on the slope of a cliff, the node gets the place on its other side as
+/// well and so lies on the level between the two. The nodes of the curvature grid always belong to
+/// the edge. A pole's edge has the curvature grid only.
 void makeBorder(const HeightTile& tile, const TileFrame& frame, const LevelParams& level,
                 Border& border);
 

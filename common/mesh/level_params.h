@@ -13,6 +13,10 @@ struct LevelParams {
   double maxError = 0;    ///< e, metres, >= 0
   double latticeStep = 1; ///< S, metres, a power of two: see latticeStep()
   int baseGrid = 1;       ///< cells per edge of the curvature grid, a power of two, 1..N
+
+  /// True where the lattice's rounding leaves room for the max error (from 2 mm on, that is): then
+  /// every node can be brought within it.
+  bool canReachMaxError() const { return latticeStep <= maxError / 2; }
 };
 
 /// The step S of the level's height lattice, metres: the smallest power of two with

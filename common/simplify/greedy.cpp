@@ -21,14 +21,8 @@ constexpr int kSeedCells = 8;
 /// Relative difference of two ways to compute one error.
 constexpr double kRoundingSlack = 1e-9;
 
-/// A vertex is corrected so often at most, that the work ends.
-constexpr int kMaxCorrections = 4;
-
-/// A vertex whose surface is off by `error` (metres, signed) at its node.
-struct Correction {
-  std::int32_t vertex;
-  double error;
-};
+/// The bits of a node with a vertex at each of its four places.
+constexpr std::uint8_t kAllPlaces = 15;
 
 /// A node to insert and the triangle it is the worst of.
 struct Candidate {
@@ -58,15 +52,16 @@ class Greedy final : public Simplifier {
  private:
   void start(const Border& border, int baseGrid);
   void seed(double tolerance);
-  void insertEdge(const std::vector<std::uint16_t>& nodes, Edge edge);
+  void insertEdge(const std::vector<std::uint16_t>& places, Edge edge);
   void insertNode(int i, int j, std::int32_t hint);
+  bool insertAtFreePlace(const Candidate& candidate);
+  NodeVertex makeVertex(int i, int j, int u, int v) const;
   NodeVertex makeVertex(int i, int j) const;
   void maskBorder();
   float scanTolerance(double maxError) const;
-  template <class Scan> bool refine(Scan scan);
-  NodeError exactWorst(std::int32_t t, double tolerance);
-  void noteCorrection(std::int32_t t, int i, int j, double signedError);
-  bool applyCorrections();
+  template <class Scan, class Insert> bool refine(Scan scan, Insert insert);
+  NodeError exactWorst(std::int32_t t, double tolerance) const;
+  void countPlaces();
   void markAllChanged();
   ErrorMeasure finish(const LevelParams& level, Tin& out);
   ErrorMeasure leaveForbiddenCount(const LevelParams& level, Tin& out);
@@ -76,15 +71,16 @@ class Greedy final : public Simplifier {
   MethodOptions options_;
   const HeightTile* tile_ = nullptr;
   const TileFrame* frame_ = nullptr;
+  bool severalPlaces_ = false; ///< a node may have more than one of its places
   Triangulation mesh_;
   NodeHeights heights_;
   Decimator decimator_;
   std::vector<double> nodeV_;
   std::unique_ptr<SpanList<double>> spans_ = std::make_unique<SpanList<double>>();
   std::vector<Candidate> candidates_;
-  std::vector<Correction> corrections_;
   std::vector<std::int32_t> scanList_;
   std::vector<std::uint32_t> newIndex_;
+  std::vector<std::uint8_t> places_; ///< by node: which of its four places have a vertex, as bits
 };
 
 Status Greedy::simplify(const HeightTile& tile, const TileFrame& frame, const Border& border,
@@ -92,14 +88,23 @@ Status Greedy::simplify(const HeightTile& tile, const TileFrame& frame, const Bo
   assert(tile.cells() == frame.cells());
   tile_ = &tile;
   frame_ = &frame;
+  severalPlaces_ = level.canReachMaxError() && frame.coarseStep() == 0;
   heights_.reset(tile, frame);
   start(border, level.baseGrid);
   const float tolerance = scanTolerance(level.maxError);
   seed(tolerance);
-  refine([&](std::int32_t t) {
-    return heights_.worst(mesh_.cornerOf(t, 0).corner, mesh_.cornerOf(t, 1).corner,
-                          mesh_.cornerOf(t, 2).corner, tolerance);
-  });
+  refine(
+      [&](std::int32_t t) {
+        return heights_.worst(mesh_.cornerOf(t, 0).corner, mesh_.cornerOf(t, 1).corner,
+                              mesh_.cornerOf(t, 2).corner, tolerance);
+      },
+      [&](const Candidate& candidate) {
+        if (heights_.isMasked(candidate.node))
+          return false;
+        insertNode(heights_.column(candidate.node), heights_.row(candidate.node),
+                   candidate.triangle);
+        return true;
+      });
   if (options_.decimate) {
     decimator_.run(mesh_, heights_, tile.cells() / level.baseGrid, tolerance);
     mesh_.forgetChanges();
@@ -149,16 +154,21 @@ void Greedy::start(const Border& border, int baseGrid) {
   }
 }
 
-void Greedy::insertEdge(const std::vector<std::uint16_t>& nodes, Edge edge) {
+void Greedy::insertEdge(const std::vector<std::uint16_t>& places, Edge edge) {
   const int n = frame_->cells();
-  for (std::size_t k = 1; k + 1 < nodes.size(); ++k) {
+  const bool far = edge == kEast || edge == kNorth;
+  for (std::size_t k = 1; k + 1 < places.size(); ++k) {
+    const int place = places[k];
+    const int across = far ? kQuantizedMax : 0;
     const bool alongRow = edge == kSouth || edge == kNorth;
-    const int across = edge == kEast || edge == kNorth ? n : 0;
-    insertNode(alongRow ? nodes[k] : across, alongRow ? across : nodes[k], mesh_.changed().back());
+    const int node = alongRow ? frame_->nearestColumn(places[k]) : frame_->nearestRow(places[k]);
+    const NodeVertex vertex = alongRow ? makeVertex(node, far ? n : 0, place, across)
+                                       : makeVertex(far ? n : 0, node, across, place);
+    mesh_.insert(vertex, mesh_.changed().back());
   }
 }
 
-NodeVertex Greedy::makeVertex(int i, int j) const {
+NodeVertex Greedy::makeVertex(int i, int j, int u, int v) const {
   const int n = frame_->cells();
   const bool border = i == 0 || j == 0 || i == n || j == n;
   const float height = tile_->at(i, j);
@@ -166,17 +176,63 @@ NodeVertex Greedy::makeVertex(int i, int j) const {
   vertex.i = std::uint16_t(i);
   vertex.j = std::uint16_t(j);
   vertex.q = border ? frame_->quantizeBorder(height) : frame_->quantize(height);
-  vertex.corner.u = frame_->u(i);
-  vertex.corner.v = frame_->v(j);
-  vertex.corner.column = spanColumn(vertex.corner.u, n);
+  vertex.corner.u = u;
+  vertex.corner.v = v;
+  vertex.corner.column = spanColumn(u, n);
   vertex.corner.height = frame_->decode(vertex.q) - frame_->minHeight();
-  vertex.corner.row = j + (frame_->nodeV(j) < frame_->v(j) ? 1 : 0);
+  vertex.corner.row = j + (frame_->nodeV(j) < v ? 1 : 0);
   return vertex;
+}
+
+NodeVertex Greedy::makeVertex(int i, int j) const {
+  return makeVertex(i, j, frame_->u(i), frame_->v(j));
 }
 
 void Greedy::insertNode(int i, int j, std::int32_t hint) {
   mesh_.insert(makeVertex(i, j), hint);
   heights_.mask(heights_.index(i, j));
+}
+
+/// Makes a node a vertex, or gives one that is another vertex, at the nearest free of the four
+/// quantized places around its real position. With all four it lies on a level square, whatever the
+/// slopes around: so rounding of places never keeps a node from the max error. False where none is
+/// free.
+bool Greedy::insertAtFreePlace(const Candidate& candidate) {
+  const int i = heights_.column(candidate.node), j = heights_.row(candidate.node);
+  std::uint8_t& used = places_[std::size_t(candidate.node)];
+  const int west = int(frame_->nodeU(i)), south = int(frame_->nodeV(j));
+  const double du = frame_->nodeU(i) - west, dv = frame_->nodeV(j) - south;
+  int best = -1;
+  double nearest = 0;
+  for (int place = 0; place < 4; ++place) {
+    const int east = place & 1, north = place >> 1;
+    const double distance = std::abs(du - east) + std::abs(dv - north);
+    if ((used >> place & 1) == 0 && (best < 0 || distance < nearest)) {
+      best = place;
+      nearest = distance;
+    }
+  }
+  if (best < 0)
+    return false;
+  used = severalPlaces_ ? std::uint8_t(used | 1 << best) : kAllPlaces;
+  mesh_.insert(makeVertex(i, j, west + (best & 1), south + (best >> 1)), candidate.triangle);
+  heights_.mask(candidate.node);
+  return true;
+}
+
+/// Which places the vertices of the mesh take.
+void Greedy::countPlaces() {
+  const int n = frame_->cells();
+  places_.assign(std::size_t(heights_.index(n, n)) + 1, 0);
+  for (std::size_t v = 0; v < mesh_.vertices().size(); ++v) {
+    if (mesh_.leaving(std::int32_t(v)) == Triangulation::kNone)
+      continue;
+    const NodeVertex& vertex = mesh_.vertices()[v];
+    const int east = vertex.corner.u - int(frame_->nodeU(vertex.i));
+    const int north = vertex.corner.v - int(frame_->nodeV(vertex.j));
+    std::uint8_t& used = places_[std::size_t(heights_.index(vertex.i, vertex.j))];
+    used = severalPlaces_ ? std::uint8_t(used | 1 << (2 * north + east)) : kAllPlaces;
+  }
 }
 
 /// The border's vertices are given; its other nodes have no say.
@@ -197,8 +253,8 @@ float Greedy::scanTolerance(double maxError) const {
 }
 
 /// Rounds of scanning what has changed and inserting what was found, until there is nothing to
-/// insert. True when anything was done.
-template <class Scan> bool Greedy::refine(Scan scan) {
+/// insert. True when any node went in.
+template <class Scan, class Insert> bool Greedy::refine(Scan scan, Insert insert) {
   bool any = false;
   while (!mesh_.changed().empty()) {
     scanList_.swap(mesh_.changed());
@@ -212,68 +268,39 @@ template <class Scan> bool Greedy::refine(Scan scan) {
     }
     std::sort(candidates_.begin(), candidates_.end());
     for (const Candidate& candidate : candidates_) {
-      if (mesh_.isChanged(candidate.triangle) || heights_.isMasked(candidate.node))
-        continue;
-      insertNode(heights_.column(candidate.node), heights_.row(candidate.node), candidate.triangle);
-      any = true;
+      if (!mesh_.isChanged(candidate.triangle) && insert(candidate))
+        any = true;
     }
-    any = applyCorrections() || any;
   }
   return any;
 }
 
-/// The unmasked node of a triangle with the largest error above the tolerance, in the arithmetic of
-/// measureError(). Corners whose own node is off by more are noted for correction.
-NodeError Greedy::exactWorst(std::int32_t t, double tolerance) {
+/// The inner node of a triangle with the largest error above the tolerance, in the arithmetic of
+/// measureError(); one with all its places taken has no say.
+NodeError Greedy::exactWorst(std::int32_t t, double tolerance) const {
   SpanCorner corners[3];
   for (int k = 0; k < 3; ++k) {
     corners[k] = mesh_.cornerOf(t, k).corner;
     corners[k].height = frame_->decode(mesh_.cornerOf(t, k).q);
   }
-  const double slope = heightPerColumn(corners[0], corners[1], corners[2], frame_->cells());
+  const int cells = frame_->cells();
+  const double slope = heightPerColumn(corners[0], corners[1], corners[2], cells);
   listSpans(corners[0], corners[1], corners[2], nodeV_.data(), slope, *spans_);
   NodeError found;
   double worst = tolerance;
   for (int r = 0; r < spans_->rows; ++r) {
     const int j = spans_->firstRow + r;
     for (int i = spans_->begin[r]; i < spans_->begin[r] + spans_->count[r]; ++i) {
-      const double signedError =
-          spans_->height[r] + (i - spans_->begin[r]) * slope - tile_->at(i, j);
-      const double error = std::abs(signedError);
-      if (error <= tolerance)
-        continue;
-      if (heights_.isMasked(heights_.index(i, j))) {
-        noteCorrection(t, i, j, signedError);
-      } else if (error > worst) {
+      const double error =
+          std::abs(spans_->height[r] + (i - spans_->begin[r]) * slope - tile_->at(i, j));
+      const bool inner = i > 0 && j > 0 && i < cells && j < cells;
+      if (error > worst && inner && places_[std::size_t(heights_.index(i, j))] != kAllPlaces) {
         worst = error;
         found = {heights_.index(i, j), float(error)};
       }
     }
   }
   return found;
-}
-
-/// A vertex off at its own node is so because its place was rounded on a steep slope: its height
-/// can make up for that, unless it is the border's.
-void Greedy::noteCorrection(std::int32_t t, int i, int j, double signedError) {
-  const int n = frame_->cells();
-  for (int k = 0; k < 3; ++k) {
-    const NodeVertex& vertex = mesh_.cornerOf(t, k);
-    if (vertex.i == i && vertex.j == j && i > 0 && j > 0 && i < n && j < n &&
-        vertex.corrections < kMaxCorrections)
-      corrections_.push_back({mesh_.origin(3 * t + k), signedError});
-  }
-}
-
-bool Greedy::applyCorrections() {
-  for (const Correction& correction : corrections_) {
-    const double height = frame_->decode(mesh_.vertex(correction.vertex).q) - correction.error;
-    const std::uint16_t q = frame_->quantize(float(height));
-    mesh_.setHeight(correction.vertex, q, frame_->decode(q) - frame_->minHeight());
-  }
-  const bool any = !corrections_.empty();
-  corrections_.clear();
-  return any;
 }
 
 /// Writes the TIN, and as long as the exact measure finds nodes beyond the max error goes on.
@@ -284,8 +311,12 @@ ErrorMeasure Greedy::finish(const LevelParams& level, Tin& out) {
     if (measure.max <= level.maxError)
       return measure;
     markAllChanged();
+    countPlaces();
     const double tolerance = level.maxError * (1 - kRoundingSlack);
-    if (!refine([&](std::int32_t t) { return exactWorst(t, tolerance); }))
+    const bool inserted =
+        refine([&](std::int32_t t) { return exactWorst(t, tolerance); },
+               [&](const Candidate& candidate) { return insertAtFreePlace(candidate); });
+    if (!inserted)
       return measure;
   }
 }
@@ -299,20 +330,15 @@ void Greedy::markAllChanged() {
 
 /// A mesh of 65536 vertices gets one more, the worst node of all, or has to do with one less.
 ErrorMeasure Greedy::leaveForbiddenCount(const LevelParams& level, Tin& out) {
-  NodeError worst;
-  std::int32_t triangle = 0;
+  countPlaces();
+  Candidate worst{~std::uint64_t(0), -1, 0};
   for (std::int32_t t = 0; t < mesh_.triangleSlots(); ++t) {
     const NodeError found = mesh_.alive(t) ? exactWorst(t, -1) : NodeError{};
-    if (found.node >= 0 && (worst.node < 0 || found.error > worst.error)) {
-      worst = found;
-      triangle = t;
-    }
+    if (found.node >= 0)
+      worst = std::min(worst, makeCandidate(found, t));
   }
-  corrections_.clear();
-  if (worst.node >= 0) {
-    insertNode(heights_.column(worst.node), heights_.row(worst.node), triangle);
+  if (worst.node >= 0 && insertAtFreePlace(worst))
     return finish(level, out);
-  }
   decimator_.removeAny(mesh_, heights_);
   write(out);
   return measureError(*tile_, *frame_, out);
@@ -322,10 +348,11 @@ void Greedy::report(const ErrorMeasure& measure, const LevelParams& level, Tin& 
   const auto across = std::size_t(frame_->cells()) + 1;
   out.maxError = measure.max;
   out.sumSquaredError = measure.sumSquared;
-  if (out.vertices.size() == across * across)
-    out.reason = StopReason::allNodes;
+  if (measure.max > level.maxError)
+    out.reason = StopReason::quantization;
   else
-    out.reason = measure.max <= level.maxError ? StopReason::maxError : StopReason::quantization;
+    out.reason =
+        out.vertices.size() == across * across ? StopReason::allNodes : StopReason::maxError;
 }
 
 void Greedy::write(Tin& out) {

@@ -71,15 +71,6 @@ void Triangulation::link(std::int32_t halfEdge, std::int32_t other) {
     twin_[std::size_t(other)] = halfEdge;
 }
 
-void Triangulation::setHeight(std::int32_t v, std::uint16_t q, double height) {
-  vertices_[std::size_t(v)].q = q;
-  vertices_[std::size_t(v)].corner.height = height;
-  ++vertices_[std::size_t(v)].corrections;
-  star(v, star_);
-  for (const std::int32_t e : star_)
-    markChanged(e / 3);
-}
-
 std::int64_t Triangulation::side(std::int32_t halfEdge, const SpanCorner& place) const {
   return doubledArea(vertex(origin(halfEdge)).corner, vertex(origin(next(halfEdge))).corner, place);
 }

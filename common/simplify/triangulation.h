@@ -12,11 +12,10 @@ namespace qmesh {
 
 /// A vertex of a triangulation under construction: a node of the tile.
 struct NodeVertex {
-  SpanCorner corner;             ///< height: the quantized one above the frame's minimum, metres
-  std::uint16_t q = 0;           ///< quantized height
-  std::uint16_t i = 0;           ///< node column
-  std::uint16_t j = 0;           ///< node row
-  std::uint16_t corrections = 0; ///< times its height was changed
+  SpanCorner corner;   ///< height: the quantized one above the frame's minimum, metres
+  std::uint16_t q = 0; ///< quantized height
+  std::uint16_t i = 0; ///< node column
+  std::uint16_t j = 0; ///< node row
 };
 
 /// Triangulation of the square 0..32767 squared, counter-clockwise, in flat arrays that keep their
@@ -61,7 +60,6 @@ class Triangulation {
   const NodeVertex& vertex(std::int32_t v) const { return vertices_[std::size_t(v)]; }
   const NodeVertex& cornerOf(std::int32_t t, int k) const { return vertex(origin(3 * t + k)); }
   /// Gives an inner vertex another height; its triangles count as changed.
-  void setHeight(std::int32_t v, std::uint16_t q, double height);
 
   /// A half-edge that leaves the vertex, kNone where it was collapsed.
   std::int32_t leaving(std::int32_t v) const { return leaving_[std::size_t(v)]; }

@@ -40,6 +40,23 @@ std::pair<int, int> nodeOf(Edge edge, int k, int cells) {
   }
 }
 
+bool alongRow(Edge edge) {
+  return edge == kSouth || edge == kNorth;
+}
+
+/// The node number along an edge that a vertex stands for.
+int nodeAt(const TileFrame& frame, Edge edge, std::uint16_t place) {
+  return alongRow(edge) ? frame.nearestColumn(place) : frame.nearestRow(place);
+}
+
+/// The nodes of an edge's vertices.
+std::vector<int> nodesOf(const Made& made, Edge edge) {
+  std::vector<int> nodes;
+  for (const std::uint16_t place : made.border[edge])
+    nodes.push_back(nodeAt(made.frame, edge, place));
+  return nodes;
+}
+
 constexpr Edge kEdges[] = {kWest, kSouth, kEast, kNorth};
 
 TEST(MakeBorder, HasCornersAndCurvatureGridInOrder) {
@@ -50,11 +67,12 @@ TEST(MakeBorder, HasCornersAndCurvatureGridInOrder) {
       const LevelParams level = place.level(20);
       const Made made = make(patch.tile(), level);
       for (const Edge edge : kEdges) {
-        const std::vector<std::uint16_t>& nodes = made.border[edge];
-        EXPECT_EQ(nodes.front(), 0);
-        EXPECT_EQ(nodes.back(), place.cells);
-        EXPECT_TRUE(std::adjacent_find(nodes.begin(), nodes.end(), std::greater_equal<>()) ==
-                    nodes.end());
+        const std::vector<std::uint16_t>& places = made.border[edge];
+        EXPECT_EQ(places.front(), 0);
+        EXPECT_EQ(places.back(), kQuantizedMax);
+        EXPECT_TRUE(std::adjacent_find(places.begin(), places.end(), std::greater_equal<>()) ==
+                    places.end());
+        const std::vector<int> nodes = nodesOf(made, edge);
         for (int k = 0; k <= place.cells; k += place.cells / level.baseGrid)
           EXPECT_TRUE(std::binary_search(nodes.begin(), nodes.end(), k));
       }
@@ -62,8 +80,9 @@ TEST(MakeBorder, HasCornersAndCurvatureGridInOrder) {
   }
 }
 
-// P2 on the edges: the decoded polyline of the tile's own frame against the nodes' real positions.
-TEST(MakeBorder, KeepsEveryOtherNodeWithinTheMaxError) {
+// P2 on the edges: the decoded polyline of the tile's own frame against the nodes' real positions,
+// the vertices' own nodes included.
+TEST(MakeBorder, KeepsEveryNodeWithinTheMaxError) {
   for (const Place& place : places()) {
     for (const Terrain terrain : kTerrains) {
       for (const double maxError : {500.0, 30.0, 2.0, 0.1}) {
@@ -73,23 +92,23 @@ TEST(MakeBorder, KeepsEveryOtherNodeWithinTheMaxError) {
         const Made made = make(tile, place.level(maxError));
         const TileFrame& frame = made.frame;
         for (const Edge edge : kEdges) {
-          const bool alongRow = edge == kSouth || edge == kNorth;
           const auto height = [&](int k) {
             const auto [i, j] = nodeOf(edge, k, place.cells);
             return tile.at(i, j);
           };
-          const std::vector<std::uint16_t>& nodes = made.border[edge];
-          for (std::size_t s = 0; s + 1 < nodes.size(); ++s) {
-            const int a = nodes[s], b = nodes[s + 1];
-            const double pa = alongRow ? frame.u(a) : frame.v(a);
-            const double pb = alongRow ? frame.u(b) : frame.v(b);
-            const double ha = frame.decode(frame.quantizeBorder(height(a)));
-            const double hb = frame.decode(frame.quantizeBorder(height(b)));
-            for (int k = a + 1; k < b; ++k) {
-              const double t = ((alongRow ? frame.nodeU(k) : frame.nodeV(k)) - pa) / (pb - pa);
-              ASSERT_LE(std::abs(ha + t * (hb - ha) - height(k)),
-                        maxError + frame.coarseStep() / 2);
-            }
+          const auto vertexHeight = [&](std::uint16_t vertex) {
+            return frame.decode(frame.quantizeBorder(height(nodeAt(frame, edge, vertex))));
+          };
+          const std::vector<std::uint16_t>& places = made.border[edge];
+          std::size_t s = 0;
+          for (int k = 0; k <= place.cells; ++k) {
+            const double position = alongRow(edge) ? frame.nodeU(k) : frame.nodeV(k);
+            while (s + 2 < places.size() && places[s + 1] <= position)
+              ++s;
+            const double ha = vertexHeight(places[s]), hb = vertexHeight(places[s + 1]);
+            const double t = (position - places[s]) / (places[s + 1] - places[s]);
+            ASSERT_LE(std::abs(ha + t * (hb - ha) - height(k)), maxError + frame.coarseStep() / 2)
+                << "node " << k;
           }
         }
       }
@@ -112,7 +131,7 @@ TEST(MakeBorder, IsTheSameInBothTilesOfAnEdge) {
       const auto sameHeights = [&](const Made& other, Edge edge) {
         if (here.frame.coarseStep() + other.frame.coarseStep() > 0)
           return;
-        for (const int k : here.border[edge]) {
+        for (const int k : nodesOf(here, edge)) {
           const auto [i, j] = nodeOf(edge, k, place.cells);
           const float height = patch.tile(0, 0).at(i, j);
           EXPECT_NEAR(here.frame.decode(here.frame.quantizeBorder(height)),
@@ -140,7 +159,7 @@ TEST(MakeBorder, KeepsAPoleToTheCurvatureGrid) {
   LevelParams level = place.level(1);
   level.baseGrid = 4;
   const Made made = make(patch.tile(), level);
-  EXPECT_EQ(made.border[kNorth], (std::vector<std::uint16_t>{0, 8, 16, 24, 32}));
+  EXPECT_EQ(nodesOf(made, kNorth), (std::vector<int>{0, 8, 16, 24, 32}));
   EXPECT_GT(made.border[kSouth].size(), 5u);
 }
 
@@ -153,14 +172,33 @@ TEST(MakeBorder, FindsAPeakAndItsFeet) {
     patch.at(k, 0) = k == 5 ? 9 : 0;
   LevelParams level = place.level(1);
   level.baseGrid = 1;
-  EXPECT_EQ(make(patch.tile(), level).border[kSouth], (std::vector<std::uint16_t>{0, 4, 5, 6, 8}));
+  EXPECT_EQ(nodesOf(make(patch.tile(), level), kSouth), (std::vector<int>{0, 4, 5, 6, 8}));
 }
 
 TEST(MakeBorder, KeepsOnlyTheCornersOfAFlatTile) {
   const Place place{Profile::geodetic, 15, 9, 9, 256};
   const TerrainPatch patch(place.lattice(), place.id(), 1, 1, Terrain::flat, 1);
-  for (const std::vector<std::uint16_t>& nodes : make(patch.tile(), place.level(0.3)).border)
-    EXPECT_EQ(nodes, (std::vector<std::uint16_t>{0, 256}));
+  for (const std::vector<std::uint16_t>& places : make(patch.tile(), place.level(0.3)).border)
+    EXPECT_EQ(places, (std::vector<std::uint16_t>{0, kQuantizedMax}));
+}
+
+//  30000 * * * * * *       a cliff between nodes 5 and 6, 4096 units wide: node 5 lies at
+//  20479.375,
+//      0             * * * its vertex at 20479, and the slope would put the node 2.7 m too low but
+//                          for a second vertex at 20480; node 6 at 24575.25 is east of its vertex
+TEST(MakeBorder, GivesANodeAtACliffBothItsPlaces) {
+  const Place place{Profile::geodetic, 12, 9, 9, 8};
+  TerrainPatch patch(place.lattice(), place.id(), 1, 1, Terrain::flat, 1);
+  for (int k = 0; k <= 8; ++k)
+    patch.at(k, 0) = k <= 5 ? 30000.0f : 0.0f;
+  LevelParams level = place.level(1);
+  level.baseGrid = 1;
+  const std::vector<std::uint16_t> cliff{0, 20479, 20480, 24575, kQuantizedMax};
+  EXPECT_EQ(make(patch.tile(), level).border[kSouth], cliff);
+  // Where the lattice of heights is too coarse for the max error, more places are no help.
+  level.maxError = 0.9 * 2 * level.latticeStep;
+  const std::vector<std::uint16_t> single{0, 20479, 24575, kQuantizedMax};
+  EXPECT_EQ(make(patch.tile(), level).border[kSouth], single);
 }
 
 } // namespace

@@ -36,30 +36,42 @@ inline Simplified simplify(const HeightTile& tile, const LevelParams& level, boo
   return simplify(tile, level, *simplifier);
 }
 
-/// The nodes (i, j) whose vertices lie on the square's edges or, `inner`, inside it.
-inline std::set<std::pair<int, int>> vertexNodes(const Simplified& made, bool inner) {
+/// The nodes (i, j) whose vertices lie inside the square.
+inline std::set<std::pair<int, int>> innerNodes(const Simplified& made) {
   std::set<std::pair<int, int>> nodes;
   const int n = made.frame.cells();
   for (const TinVertex& vertex : made.tin.vertices) {
     const int i = made.frame.nearestColumn(vertex.u), j = made.frame.nearestRow(vertex.v);
     const bool border = i == 0 || j == 0 || i == n || j == n;
-    if (border != inner)
+    if (!border)
       nodes.insert({i, j});
   }
   return nodes;
 }
 
-inline std::set<std::pair<int, int>> borderNodes(const Border& border, int cells) {
-  std::set<std::pair<int, int>> nodes;
+/// The places (u, v) of the vertices on the square's edges.
+inline std::set<std::pair<int, int>> borderPlaces(const Simplified& made) {
+  std::set<std::pair<int, int>> places;
+  for (const TinVertex& vertex : made.tin.vertices) {
+    const auto atEnd = [](int p) { return p == 0 || p == kQuantizedMax; };
+    if (atEnd(vertex.u) || atEnd(vertex.v))
+      places.insert({vertex.u, vertex.v});
+  }
+  return places;
+}
+
+/// The same as the border has them.
+inline std::set<std::pair<int, int>> placesOf(const Border& border) {
+  std::set<std::pair<int, int>> places;
   for (const int k : border[kWest])
-    nodes.insert({0, k});
+    places.insert({0, k});
   for (const int k : border[kSouth])
-    nodes.insert({k, 0});
+    places.insert({k, 0});
   for (const int k : border[kEast])
-    nodes.insert({cells, k});
+    places.insert({kQuantizedMax, k});
   for (const int k : border[kNorth])
-    nodes.insert({k, cells});
-  return nodes;
+    places.insert({k, kQuantizedMax});
+  return places;
 }
 
 inline bool same(const Tin& a, const Tin& b) {

@@ -20,10 +20,13 @@ void expectPromises(const Simplified& made, const HeightTile& tile) {
   const ErrorMeasure measure = measureError(tile, made.frame, made.tin);
   EXPECT_EQ(measure.max, made.tin.maxError);
   EXPECT_EQ(measure.sumSquared, made.tin.sumSquaredError);
-  if (made.tin.reason == StopReason::maxError) {
+  // Rounding of heights is the one excuse, and only where it is not far below the max error.
+  if (made.tin.reason != StopReason::quantization) {
     EXPECT_LE(measure.max, made.level.maxError);
+  } else {
+    EXPECT_TRUE(made.level.maxError < 2 * made.level.latticeStep || made.frame.coarseStep() > 0);
   }
-  EXPECT_EQ(vertexNodes(made, false), borderNodes(made.border, made.frame.cells()));
+  EXPECT_EQ(borderPlaces(made), placesOf(made.border));
 }
 
 TEST(Greedy, KeepsItsPromisesOnEveryTerrainAndPlace) {
@@ -67,7 +70,7 @@ TEST(Greedy, KeepsTheCurvatureGrid) {
   level.baseGrid = 16;
   const Simplified made = simplify(patch.tile(), level);
   EXPECT_EQ(made.tin.vertices.size(), 17u * 17u);
-  const auto inner = vertexNodes(made, true);
+  const auto inner = innerNodes(made);
   for (int j = 4; j < 64; j += 4) {
     for (int i = 4; i < 64; i += 4)
       EXPECT_TRUE(inner.count({i, j}));
@@ -99,7 +102,7 @@ TEST(Greedy, FindsPeakAndPitOfADrawnGrid) {
   LevelParams level = place.level(29);
   level.baseGrid = 1;
   for (const bool decimate : {false, true}) {
-    const auto inner = vertexNodes(simplify(patch.tile(), level, decimate), true);
+    const auto inner = innerNodes(simplify(patch.tile(), level, decimate));
     EXPECT_TRUE(inner.count({2, 5}));
     EXPECT_TRUE(inner.count({6, 3}));
     for (const auto& [i, j] : inner) {
@@ -109,7 +112,7 @@ TEST(Greedy, FindsPeakAndPitOfADrawnGrid) {
     }
   }
   level.maxError = 51;
-  EXPECT_TRUE(vertexNodes(simplify(patch.tile(), level), true).empty());
+  EXPECT_TRUE(innerNodes(simplify(patch.tile(), level)).empty());
 }
 
 TEST(Greedy, AllNodesWhereEveryNodeIsNeeded) {
@@ -117,7 +120,7 @@ TEST(Greedy, AllNodesWhereEveryNodeIsNeeded) {
   const TerrainPatch patch(place.lattice(), place.id(), 1, 1, Terrain::extreme, 1);
   const Simplified made = simplify(patch.tile(), place.level(0));
   EXPECT_EQ(made.tin.vertices.size(), 17u * 17u);
-  EXPECT_EQ(made.tin.reason, StopReason::allNodes);
+  EXPECT_EQ(made.tin.reason, StopReason::quantization);
 }
 
 TEST(Greedy, DecimationTakesAQuarterOfTheTrianglesAtLeast) {
@@ -155,7 +158,7 @@ TEST(Greedy, NeverMakes65536Vertices) {
   made.frame.reset(patch.tile(), level);
   for (std::vector<std::uint16_t>& nodes : made.border) {
     for (int k = 0; k <= 256; k += 2)
-      nodes.push_back(std::uint16_t(k));
+      nodes.push_back(made.frame.u(k));
   }
   // 4 * 128 border vertices, one taken away.
   made.border[kNorth].erase(made.border[kNorth].begin() + 7);
