@@ -28,6 +28,11 @@ std::string cleanPath(std::string path) {
   return absolute || path == "." || path.rfind("./", 0) == 0 ? path : "./" + path;
 }
 
+/// A path as the user wrote it.
+std::string shown(const std::string& path) {
+  return path.rfind("./", 0) == 0 ? path.substr(2) : path;
+}
+
 class DirectorySink : public TileSink {
  public:
   DirectorySink(std::string output, bool xyz)
@@ -64,13 +69,13 @@ class DirectorySink : public TileSink {
 
 Status DirectorySink::open(bool overwrite) {
   if (pathExists(output_) && !isFolder(output_))
-    return {Code::output, "'" + output_ + "' is a file; the output must be a folder"};
+    return {Code::output, "'" + shown(output_) + "' is a file; the output must be a folder"};
   QMESH_RETURN_IF_ERROR(makeFolders(output_, &made_));
   Status status = takeFolder();
   if (status.ok() && !overwrite)
     for (const std::string& name : listFolder(output_))
       if (status.ok() && name != kHiddenName)
-        status = {Code::output, "the output folder '" + output_ +
+        status = {Code::output, "the output folder '" + shown(output_) +
                                     "' is not empty; --overwrite replaces the set in it"};
   if (!status.ok() && !open_) // nobody else's folder is touched
     for (; !made_.empty(); made_.pop_back())
