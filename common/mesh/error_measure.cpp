@@ -80,11 +80,12 @@ QMESH_INLINE void addErrors(const HeightTile& tile, const SpanList<double>& list
 QMESH_VECTOR_CLONES void addTriangles(const HeightTile& tile, const DecodedTin& decoded,
                                       const Tin& tin, LaneSums& sums) {
   SpanList<double> list;
+  const double columnUnits = unitsPerColumn(tile.cells());
   for (const TinTriangle& triangle : tin.triangles) {
     const SpanCorner& a = decoded.corners[triangle[0]];
     const SpanCorner& b = decoded.corners[triangle[1]];
     const SpanCorner& c = decoded.corners[triangle[2]];
-    const double slope = heightPerColumn(a, b, c, tile.cells());
+    const double slope = heightPerColumn(a, b, c, columnUnits);
     listSpans(a, b, c, decoded.nodeV.data(), slope, list);
     addErrors(tile, list, slope, sums);
   }

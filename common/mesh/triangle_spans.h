@@ -39,14 +39,18 @@ inline double planeHeight(const SpanCorner& a, const SpanCorner& b, const SpanCo
          double(doubledArea(a, b, c));
 }
 
+/// Width of a column of nodes in units of u.
+inline double unitsPerColumn(int cells) {
+  return double(kQuantizedMax) / cells;
+}
+
 /// Rise of a triangle's plane per column, metres.
 QMESH_INLINE double heightPerColumn(const SpanCorner& a, const SpanCorner& b, const SpanCorner& c,
-                                    int cells) {
+                                    double columnUnits) {
   const double bu = b.u - a.u, bv = b.v - a.v;
   const double cu = c.u - a.u, cv = c.v - a.v;
-  const double perUnit =
-      ((b.height - a.height) * cv - (c.height - a.height) * bv) / (bu * cv - bv * cu);
-  return perUnit * (double(kQuantizedMax) / cells);
+  const double rise = (b.height - a.height) * cv - (c.height - a.height) * bv;
+  return rise * columnUnits / (bu * cv - bv * cu);
 }
 
 /// The nodes of one triangle by rows: those of row `firstRow + k`, k < rows, are the columns
@@ -67,13 +71,14 @@ template <class Real> struct SpanList {
 template <class Real> struct SpanLine {
   QMESH_INLINE SpanLine(const SpanCorner& lower, const SpanCorner& upper)
       : column(Real(lower.column)), height(Real(lower.height)), v(Real(lower.v)),
-        columnSlope((Real(upper.column) - column) / Real(upper.v - lower.v)),
-        heightSlope((Real(upper.height) - height) / Real(upper.v - lower.v)),
+        perUnit(1 / Real(upper.v - lower.v)), columnSlope((Real(upper.column) - column) * perUnit),
+        heightSlope((Real(upper.height) - height) * perUnit),
         eastBorder(lower.u == kQuantizedMax && upper.u == kQuantizedMax ? 1 : 0) {}
 
   Real column;
   Real height;
   Real v;
+  Real perUnit;
   Real columnSlope;
   Real heightSlope;
   std::int32_t eastBorder;

@@ -14,6 +14,11 @@ bool isInner(const SpanCorner& corner) {
   return corner.u > 0 && corner.v > 0 && corner.u < kQuantizedMax && corner.v < kQuantizedMax;
 }
 
+/// Twice the area of the triangle of the origin and two places; below 2^31 within the square.
+template <class Place> std::int32_t cross(const Place& a, const Place& b) {
+  return a.u * b.v - a.v * b.u;
+}
+
 /// True where the rounding of a vertex's place, half a unit in u and in v, is worth more height
 /// than the tolerance has to spare: three quarters, as a border's rounding may take the last one.
 /// Such are the slivers between nodes of one line.
@@ -49,75 +54,70 @@ bool Decimator::removeAny(Triangulation& mesh, NodeHeights& heights) {
 bool Decimator::tryRemove(Triangulation& mesh, NodeHeights& heights, std::int32_t v,
                           float tolerance) {
   readRing(mesh, v);
-  const SpanCorner& node = mesh.vertex(v).corner;
+  const NodeVertex vertex = mesh.vertex(v);
   targets_.clear();
   for (std::size_t m = 0; m < ring_.size(); ++m) {
-    if (!isVisible(m))
-      continue;
-    const float error = errorAtNode(m, node);
-    if (error <= tolerance)
+    float error = 0;
+    if (fan(m, vertex.corner.height, error) && error <= tolerance)
       targets_.push_back({error, int(m)});
   }
-  // The best fit first: most of them pass, so that one scan is enough.
+  // The best fit first: it passes most often, so that one scan is enough.
   std::sort(targets_.begin(), targets_.end(), [](const Target& a, const Target& b) {
     return a.error != b.error ? a.error < b.error : a.ringIndex < b.ringIndex;
   });
-  const std::int32_t index = heights.index(mesh.vertex(v).i, mesh.vertex(v).j);
-  heights.unmask(index);
+  heights.unmask(vertex.i, vertex.j);
   for (const Target& target : targets_) {
-    if (isWithin(heights, std::size_t(target.ringIndex), tolerance)) {
-      mesh.collapse(v, ring_[std::size_t(target.ringIndex)]);
+    if (isWithin(mesh, heights, std::size_t(target.ringIndex), tolerance)) {
+      mesh.collapse(v, ring_[std::size_t(target.ringIndex)].vertex);
       return true;
     }
   }
-  heights.mask(index);
+  heights.mask(vertex.i, vertex.j);
   return false;
 }
 
 void Decimator::readRing(const Triangulation& mesh, std::int32_t v) {
   mesh.star(v, star_);
+  const SpanCorner& centre = mesh.vertex(v).corner;
   ring_.clear();
-  corners_.clear();
   for (const std::int32_t e : star_) {
-    ring_.push_back(mesh.destination(e));
-    corners_.push_back(mesh.vertex(ring_.back()).corner);
+    const std::int32_t end = mesh.destination(e);
+    const SpanCorner& corner = mesh.vertex(end).corner;
+    ring_.push_back({end, corner.u - centre.u, corner.v - centre.v, corner.height, 0});
   }
+  for (std::size_t k = 0; k < ring_.size(); ++k)
+    ring_[k].area = cross(ring_[k], around(k + 1));
 }
 
-/// True where corner m of the ring sees all others: the fan of triangles from it is one of
-/// counter-clockwise ones. They fill the ring exactly, so none of their edges exists elsewhere and
-/// the mesh stays manifold.
-bool Decimator::isVisible(std::size_t m) const {
-  const std::size_t count = corners_.size();
-  for (std::size_t k = 1; k + 1 < count; ++k) {
-    const SpanCorner& a = corners_[(m + k) % count];
-    const SpanCorner& b = corners_[(m + k + 1) % count];
-    if (doubledArea(corners_[m], a, b) <= 0)
+/// False where corner m of the ring does not see all others. Else the fan of triangles from it
+/// fills the ring, all of them counter-clockwise: none of their edges exists elsewhere, and the
+/// mesh stays manifold. `error`: how far the fan is from the vertex it would replace, of the given
+/// height.
+bool Decimator::fan(std::size_t m, double height, float& error) const {
+  const Neighbour& apex = ring_[m];
+  std::int32_t toHere = cross(apex, around(m + 1));
+  for (std::size_t k = m + 1; k + 1 < m + ring_.size(); ++k) {
+    // With the vertex as origin, doubled areas are sums of cross products.
+    const Neighbour &a = around(k), &b = around(k + 1);
+    const std::int32_t toNext = cross(apex, b);
+    const std::int64_t area = std::int64_t(a.area) - toNext + toHere;
+    if (area <= 0)
       return false;
+    if (toHere >= 0 && toNext <= 0)
+      error = float(std::abs(
+          (a.area * apex.height - toNext * a.height + toHere * b.height) / double(area) - height));
+    toHere = toNext;
   }
   return true;
 }
 
-/// How far the fan from corner m is from the vertex it would replace, metres.
-float Decimator::errorAtNode(std::size_t m, const SpanCorner& node) const {
-  const std::size_t count = corners_.size();
-  const SpanCorner& apex = corners_[m];
-  std::size_t k = 1;
-  while (k + 2 < count && doubledArea(apex, corners_[(m + k + 1) % count], node) > 0)
-    ++k;
-  const SpanCorner& a = corners_[(m + k) % count];
-  const SpanCorner& b = corners_[(m + k + 1) % count];
-  const double height = planeHeight(apex, a, b, node);
-  return float(std::abs(height - node.height));
-}
-
-bool Decimator::isWithin(const NodeHeights& heights, std::size_t m, float tolerance) const {
-  const std::size_t count = corners_.size();
-  for (std::size_t k = 1; k + 1 < count; ++k) {
-    const SpanCorner& a = corners_[(m + k) % count];
-    const SpanCorner& b = corners_[(m + k + 1) % count];
-    if (isTooSteep(corners_[m], a, b, tolerance) ||
-        heights.worst(corners_[m], a, b, tolerance).node >= 0)
+bool Decimator::isWithin(const Triangulation& mesh, const NodeHeights& heights, std::size_t m,
+                         float tolerance) const {
+  const SpanCorner& apex = mesh.vertex(ring_[m].vertex).corner;
+  for (std::size_t k = m + 1; k + 1 < m + ring_.size(); ++k) {
+    const SpanCorner& a = mesh.vertex(around(k).vertex).corner;
+    const SpanCorner& b = mesh.vertex(around(k + 1).vertex).corner;
+    if (isTooSteep(apex, a, b, tolerance) || heights.worst(apex, a, b, tolerance).node >= 0)
       return false;
   }
   return true;

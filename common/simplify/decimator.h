@@ -26,7 +26,16 @@ class Decimator {
   bool removeAny(Triangulation& mesh, NodeHeights& heights);
 
  private:
-  /// A neighbour to move the vertex onto and the error this makes at the vertex's node.
+  /// A neighbour of the vertex, its place relative to the vertex.
+  struct Neighbour {
+    std::int32_t vertex;
+    std::int32_t u;
+    std::int32_t v;
+    double height;
+    std::int32_t area; ///< doubled, of the star's triangle to the next neighbour
+  };
+
+  /// A neighbour to move the vertex onto and the error this makes at the vertex.
   struct Target {
     float error;
     int ringIndex;
@@ -34,13 +43,15 @@ class Decimator {
 
   bool tryRemove(Triangulation& mesh, NodeHeights& heights, std::int32_t v, float tolerance);
   void readRing(const Triangulation& mesh, std::int32_t v);
-  bool isVisible(std::size_t m) const;
-  float errorAtNode(std::size_t m, const SpanCorner& node) const;
-  bool isWithin(const NodeHeights& heights, std::size_t m, float tolerance) const;
+  bool fan(std::size_t m, double height, float& error) const;
+  bool isWithin(const Triangulation& mesh, const NodeHeights& heights, std::size_t m,
+                float tolerance) const;
+  const Neighbour& around(std::size_t k) const {
+    return ring_[k < ring_.size() ? k : k - ring_.size()];
+  }
 
-  std::vector<std::int32_t> star_;  ///< half-edges that leave the vertex
-  std::vector<std::int32_t> ring_;  ///< their ends, counter-clockwise
-  std::vector<SpanCorner> corners_; ///< of the ring
+  std::vector<std::int32_t> star_; ///< half-edges that leave the vertex
+  std::vector<Neighbour> ring_;    ///< their ends, counter-clockwise
   std::vector<Target> targets_;
 };
 

@@ -190,7 +190,7 @@ NodeVertex Greedy::makeVertex(int i, int j) const {
 
 void Greedy::insertNode(int i, int j, std::int32_t hint) {
   mesh_.insert(makeVertex(i, j), hint);
-  heights_.mask(heights_.index(i, j));
+  heights_.mask(i, j);
 }
 
 /// Makes a node a vertex, or gives one that is another vertex, at the nearest free of the four
@@ -216,7 +216,7 @@ bool Greedy::insertAtFreePlace(const Candidate& candidate) {
     return false;
   used = severalPlaces_ ? std::uint8_t(used | 1 << best) : kAllPlaces;
   mesh_.insert(makeVertex(i, j, west + (best & 1), south + (best >> 1)), candidate.triangle);
-  heights_.mask(candidate.node);
+  heights_.mask(i, j);
   return true;
 }
 
@@ -239,10 +239,10 @@ void Greedy::countPlaces() {
 void Greedy::maskBorder() {
   const int n = frame_->cells();
   for (int k = 0; k <= n; ++k) {
-    heights_.mask(heights_.index(k, 0));
-    heights_.mask(heights_.index(k, n));
-    heights_.mask(heights_.index(0, k));
-    heights_.mask(heights_.index(n, k));
+    heights_.mask(k, 0);
+    heights_.mask(k, n);
+    heights_.mask(0, k);
+    heights_.mask(n, k);
   }
 }
 
@@ -284,7 +284,7 @@ NodeError Greedy::exactWorst(std::int32_t t, double tolerance) const {
     corners[k].height = frame_->decode(mesh_.cornerOf(t, k).q);
   }
   const int cells = frame_->cells();
-  const double slope = heightPerColumn(corners[0], corners[1], corners[2], cells);
+  const double slope = heightPerColumn(corners[0], corners[1], corners[2], unitsPerColumn(cells));
   listSpans(corners[0], corners[1], corners[2], nodeV_.data(), slope, *spans_);
   NodeError found;
   double worst = tolerance;

@@ -24,7 +24,7 @@ struct ScanInput {
   const float* nodeV;
   const float* heights;
   std::int32_t stride;
-  int cells;
+  double columnUnits;
   float tolerance;
 };
 
@@ -70,7 +70,7 @@ NodeError findNode(const SpanList<float>& list, std::int32_t stride, const Block
 
 QMESH_VECTOR_CLONES NodeError scanTriangle(const ScanInput& in) {
   SpanList<float> list;
-  const auto slope = float(heightPerColumn(*in.a, *in.b, *in.c, in.cells));
+  const auto slope = float(heightPerColumn(*in.a, *in.b, *in.c, in.columnUnits));
   listSpans(*in.a, *in.b, *in.c, in.nodeV, slope, list);
 
   const Ints lanes = {0, 1, 2, 3, 4, 5, 6, 7};
@@ -124,12 +124,12 @@ void NodeHeights::reset(const HeightTile& tile, const TileFrame& frame) {
   nodeV_.resize(nodeV_.size() + kLanePadding, float(kQuantizedMax));
 }
 
-void NodeHeights::mask(std::int32_t node) {
-  heights_[std::size_t(node)] = std::numeric_limits<float>::quiet_NaN();
+void NodeHeights::mask(int i, int j) {
+  heights_[std::size_t(index(i, j))] = std::numeric_limits<float>::quiet_NaN();
 }
 
-void NodeHeights::unmask(std::int32_t node) {
-  heights_[std::size_t(node)] = tile_->at(column(node), row(node)) - minimum_;
+void NodeHeights::unmask(int i, int j) {
+  heights_[std::size_t(index(i, j))] = tile_->at(i, j) - minimum_;
 }
 
 bool NodeHeights::isMasked(std::int32_t node) const {
@@ -138,7 +138,8 @@ bool NodeHeights::isMasked(std::int32_t node) const {
 
 NodeError NodeHeights::worst(const SpanCorner& a, const SpanCorner& b, const SpanCorner& c,
                              float tolerance) const {
-  return scanTriangle({&a, &b, &c, nodeV_.data(), heights_.data(), stride_, cells_, tolerance});
+  return scanTriangle(
+      {&a, &b, &c, nodeV_.data(), heights_.data(), stride_, unitsPerColumn(cells_), tolerance});
 }
 
 } // namespace qmesh

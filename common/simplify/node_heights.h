@@ -29,8 +29,8 @@ class NodeHeights {
   int column(std::int32_t node) const { return node % stride_; }
   int row(std::int32_t node) const { return node / stride_; }
 
-  void mask(std::int32_t node);
-  void unmask(std::int32_t node);
+  void mask(int i, int j);
+  void unmask(int i, int j);
   bool isMasked(std::int32_t node) const;
 
   /// The unmasked node of a counter-clockwise triangle whose error is largest and above the

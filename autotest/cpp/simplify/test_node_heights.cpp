@@ -54,8 +54,9 @@ TEST(NodeHeights, FindsTheWorstNodeOfATriangle) {
     heights.reset(tile, frame);
     std::vector<bool> masked(std::size_t(heights.index(n, n)) + 1, false);
     for (int k = 0; k < n; ++k) {
-      const std::int32_t node = heights.index(int(random() % n), int(random() % n));
-      heights.mask(node);
+      const int i = int(random() % unsigned(n)), j = int(random() % unsigned(n));
+      const std::int32_t node = heights.index(i, j);
+      heights.mask(i, j);
       masked[std::size_t(node)] = true;
       EXPECT_TRUE(heights.isMasked(node));
     }
@@ -111,10 +112,10 @@ TEST(NodeHeights, TakesTheSmallestOfEqualNodesAndSkipsMaskedOnes) {
     EXPECT_EQ(heights.column(worst.node), expected.first);
     EXPECT_EQ(heights.row(worst.node), expected.second);
     EXPECT_EQ(worst.error, 70);
-    heights.mask(worst.node);
+    heights.mask(expected.first, expected.second);
   }
   EXPECT_EQ(heights.worst(a, b, c, 10).node, -1);
-  heights.unmask(heights.index(35, 20));
+  heights.unmask(35, 20);
   EXPECT_EQ(heights.worst(a, b, c, 10).node, heights.index(35, 20));
   EXPECT_EQ(heights.worst(a, b, c, 70).node, -1) << "not above the tolerance";
 }
