@@ -53,11 +53,15 @@ Status chooseLevels(const BuildOptions& options, PyramidPlan& plan) {
   return {};
 }
 
+/// An interval that ends so close to a tile's edge, in tiles, ends there: extents of projected
+/// rasters carry rounding noise.
+constexpr double kEdgeTolerance = 1e-9;
+
 /// First and last tile that an open interval of fractions meets.
 std::pair<std::uint32_t, std::uint32_t> meet(double from, double to, std::uint32_t tiles) {
   const double last = double(tiles) - 1;
-  const double a = std::clamp(std::floor(from * tiles), 0.0, last);
-  const double b = std::clamp(std::ceil(to * tiles) - 1, a, last);
+  const double a = std::clamp(std::floor(from * tiles + kEdgeTolerance), 0.0, last);
+  const double b = std::clamp(std::ceil(to * tiles - kEdgeTolerance) - 1, a, last);
   return {std::uint32_t(a), std::uint32_t(b)};
 }
 

@@ -31,7 +31,7 @@ class AffinePositions : public NodePositions {
   AffinePositions(const NodeLattice& lattice, const PixelFrame& frame)
       : lattice_(lattice), frame_(frame) {}
 
-  PixelBounds fill(const NodeWindow& window, double* x, double* y) override {
+  PixelBounds fill(const NodeRectangle& window, double* x, double* y) override {
     PixelBounds bounds;
     for (int b = 0; b < window.height; ++b) {
       const double latitude = lattice_.latitude(window.j + b);
@@ -77,7 +77,7 @@ class TransformedPositions : public NodePositions {
                        PointTransform transform, const GeoBox& extent)
       : lattice_(lattice), frame_(frame), transform_(std::move(transform)), extent_(extent) {}
 
-  PixelBounds fill(const NodeWindow& window, double* x, double* y) override {
+  PixelBounds fill(const NodeRectangle& window, double* x, double* y) override {
     window_ = window;
     x_ = x;
     y_ = y;
@@ -236,7 +236,7 @@ class TransformedPositions : public NodePositions {
   PointTransform transform_;
   GeoBox extent_;
   // What fill() works on.
-  NodeWindow window_;
+  NodeRectangle window_;
   double* x_ = nullptr;
   double* y_ = nullptr;
   PixelBounds bounds_;

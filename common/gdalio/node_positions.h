@@ -14,7 +14,7 @@
 namespace qmesh {
 
 /// A rectangle of nodes: columns already wrapped, so it never crosses the antimeridian.
-struct NodeWindow {
+struct NodeRectangle {
   std::int64_t i = 0;
   std::int64_t j = 0;
   int width = 0;
@@ -38,7 +38,7 @@ class NodePositions {
 
   /// Positions of the window's nodes, row by row, x[b * width + a]; x is NaN where a node has none.
   /// Returns a box that holds them all.
-  virtual PixelBounds fill(const NodeWindow& window, double* x, double* y) = 0;
+  virtual PixelBounds fill(const NodeRectangle& window, double* x, double* y) = 0;
 };
 
 /// For a geographic raster on WGS 84: arithmetic only.

@@ -191,7 +191,7 @@ bool RasterSampler::pixelRectangle(const PixelBounds& bounds, PixelWindow& pixel
   return true;
 }
 
-Status RasterSampler::sampleWindow(const NodeWindow& window, float* out, std::ptrdiff_t stride) {
+Status RasterSampler::sampleWindow(const NodeRectangle& window, float* out, std::ptrdiff_t stride) {
   const PixelBounds bounds = positions_->fill(window, x_.data(), y_.data());
   if (!pixelRectangle(bounds, pixels_)) {
     for (int b = 0; b < window.height; ++b)
@@ -201,9 +201,9 @@ Status RasterSampler::sampleWindow(const NodeWindow& window, float* out, std::pt
   const bool single = window.width == 1 && window.height == 1;
   if (!single && std::int64_t(pixels_.width) * pixels_.height > kWindowPixels) {
     const bool wide = window.width >= window.height;
-    NodeWindow first = window;
+    NodeRectangle first = window;
     (wide ? first.width : first.height) /= 2;
-    NodeWindow second = window;
+    NodeRectangle second = window;
     (wide ? second.i : second.j) += wide ? first.width : first.height;
     (wide ? second.width : second.height) -= wide ? first.width : first.height;
     QMESH_RETURN_IF_ERROR(sampleWindow(first, out, stride));
@@ -219,7 +219,7 @@ Status RasterSampler::sampleWindow(const NodeWindow& window, float* out, std::pt
   return {};
 }
 
-void RasterSampler::finishRow(const NodeWindow& window, int row, float* heights) {
+void RasterSampler::finishRow(const NodeRectangle& window, int row, float* heights) {
   if (!setup_->heights.none())
     for (int a = 0; a < window.width; ++a)
       heights[a] = setup_->heights.apply(heights[a]);

@@ -55,9 +55,9 @@ class RasterSampler : public NodeSource {
                 DatasetPtr dataset, std::unique_ptr<NodePositions> positions, PixelReader reader,
                 Interpolator interpolator, const PixelFrame& frame);
 
-  Status sampleWindow(const NodeWindow& window, float* out, std::ptrdiff_t stride);
+  Status sampleWindow(const NodeRectangle& window, float* out, std::ptrdiff_t stride);
   bool pixelRectangle(const PixelBounds& bounds, PixelWindow& pixels) const;
-  void finishRow(const NodeWindow& window, int row, float* heights);
+  void finishRow(const NodeRectangle& window, int row, float* heights);
 
   std::shared_ptr<const SamplerSetup> setup_;
   NodeLattice lattice_;

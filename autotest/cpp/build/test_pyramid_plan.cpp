@@ -24,6 +24,22 @@ TEST(PyramidPlan, TilesThatMeetTheExtent) {
   EXPECT_EQ(p->tiles.ranges(0), (std::vector<TileRange>{{0, 0, 1, 0}}));
 }
 
+TEST(PyramidPlan, NoiseOnAnEdgeIsNoTile) {
+  const auto p = plan({}, {{-1e-13, -1e-13, 45 + 1e-13, 45 + 1e-13}}, 3);
+  ASSERT_TRUE(p.ok());
+  EXPECT_EQ(p->tiles.ranges(3), (std::vector<TileRange>{{8, 4, 9, 5}}));
+}
+
+TEST(PyramidPlan, OverlappingBoxesMakeATileOnce) {
+  const auto p = plan({}, {{0, 0, 45, 45}, {20, 20, 60, 60}, {0, 0, 45, 45}}, 3);
+  ASSERT_TRUE(p.ok());
+  std::uint64_t tiles = 0;
+  for (const TileRange& r : p->tiles.ranges(3))
+    tiles += r.count();
+  EXPECT_EQ(tiles, p->tiles.count(3));
+  EXPECT_EQ(tiles, 9u); // the first box lies within the tiles of the second
+}
+
 TEST(PyramidPlan, BothSidesOfTheAntimeridian) {
   const auto p = plan({}, {{179, -1, 182, 1}}, 6);
   ASSERT_TRUE(p.ok());
