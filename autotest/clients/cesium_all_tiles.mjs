@@ -91,7 +91,9 @@ async function checkTiles(page, folder, findings) {
   if (tiles.length === 0) findings.add("the set has no tile");
   const announced = (layer.extensions ?? []).includes("octvertexnormals");
   const hasNormals = await page.evaluate(() => window.provider.hasVertexNormals);
-  if (announced !== hasNormals) findings.add(`normals announced: ${announced}, seen by CesiumJS: ${hasNormals}`);
+  if (announced !== hasNormals) {
+    findings.add(`normals announced: ${announced}, seen by CesiumJS: ${hasNormals}`);
+  }
   return `${tiles.length} tiles, ${triangles} triangles`;
 }
 

@@ -4,7 +4,8 @@
 //   node loaders_all_tiles.mjs SET_DIR
 //
 // Parses every tile of a set with @loaders.gl/terrain: the counts it finds must be those of
-// the file's own header, indices in range, heights within the header's. (It does not read extensions; CesiumJS does.)
+// the file's own header, indices in range, heights within the header's. (It does not read extensions;
+// CesiumJS does.)
 import { readFile } from "node:fs/promises";
 import { gunzipSync } from "node:zlib";
 import { parse } from "@loaders.gl/core";
@@ -32,8 +33,11 @@ async function tileProblems(file) {
   const positions = mesh.attributes.POSITION.value;
   const indices = mesh.indices.value;
   const problems = [];
-  if (positions.length !== 3 * header.vertices) problems.push(`${positions.length / 3} of ${header.vertices} vertices`);
-  if (indices.length !== 3 * header.triangles) problems.push(`${indices.length / 3} of ${header.triangles} triangles`);
+  const count = (what, found, expected) => {
+    if (found !== expected) problems.push(`${found} of ${expected} ${what}`);
+  };
+  count("vertices", positions.length / 3, header.vertices);
+  count("triangles", indices.length / 3, header.triangles);
   if (indices.some((index) => index >= header.vertices)) problems.push("an index beyond the last vertex");
   const slack = 1e-3 + 1e-6 * Math.abs(header.high);
   for (let at = 2; at < positions.length; at += 3) {

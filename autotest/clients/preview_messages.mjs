@@ -27,7 +27,8 @@ const CASES = [
                        "http://localhost:8000/"] },
   { name: "CesiumJS out of reach", prepare: (page) => page.route(/Cesium\.js/, (route) => route.abort()),
     says: () => ["CesiumJS could not be loaded", "Cesium/", "online", "--cesium Build/Cesium"] },
-  { name: "no layer.json", prepare: (page) => page.route(/layer\.json/, (route) => route.fulfill({ status: 404 })),
+  { name: "no layer.json",
+    prepare: (page) => page.route(/layer\.json/, (route) => route.fulfill({ status: 404 })),
     says: () => ["no layer.json", "gdal2qmesh"] },
   { name: "no level 0",
     prepare: async (page, folder) => {

@@ -68,16 +68,20 @@ def test_loaders_gl_parses_every_tile(name, made, node):
     succeeded(node("loaders_all_tiles.mjs", made(name)))
 
 
+def screenshots(name):
+    keep = os.environ.get("QMESH_SCREENSHOTS")
+    return ["--screenshots", pathlib.Path(keep) / name] if keep else []
+
+
 @pytest.mark.parametrize("name", WITH_PAGE)
 def test_preview_page_shows_the_set(name, made, node):
-    keep = os.environ.get("QMESH_SCREENSHOTS")
-    options = ["--screenshots", pathlib.Path(keep) / name] if keep else []
-    succeeded(node("preview_page.mjs", made(name), *options))
+    succeeded(node("preview_page.mjs", made(name), *screenshots(name)))
 
 
-def test_preview_page_works_behind_a_plain_server(made, node):
+def test_preview_page_switches_work_behind_a_plain_server(made, node):
     """One that sends gzip tiles without saying so, as Python's does."""
-    succeeded(node("preview_page.mjs", made("shipped"), "--no-encoding"))
+    succeeded(node("preview_page.mjs", made("shipped"), "--no-encoding", "--switches",
+                   *screenshots("switches")))
 
 
 def test_preview_page_explains_what_is_missing(made, node):

@@ -35,8 +35,8 @@ const terrainLook = (() => {
   }
 
   /**
-   * Where the data is; across the antimeridian east is less than west, as Cesium.Rectangle has it. A layer.json
-   * that crosses it has bounds all round the globe: then the columns of its deepest level tell.
+   * Where the data is; across the antimeridian east is less than west, as Cesium.Rectangle has it. The
+   * layer.json of data that cross it has bounds all round the globe: then the columns of its deepest level tell.
    */
   function boundsOf(layer) {
     const [west, south, east, north] = layer.bounds ?? [-180, -90, 180, 90];
@@ -130,8 +130,8 @@ const terrainLook = (() => {
   }
 
   /**
-   * Colour by height within the bounds, grey around them (there the set holds what voids were filled with), and tile
-   * borders: texture coordinates run from 0 to 1 over each tile drawn.
+   * Colour by height within the bounds, grey around them (there the set holds what voids were filled with), and
+   * tile borders: texture coordinates run from 0 to 1 over each tile drawn.
    */
   function terrainMaterial([low, high], bounds) {
     return new Cesium.Material({ fabric: {

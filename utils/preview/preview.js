@@ -73,8 +73,9 @@
       script.onload = resolve;
       script.onerror = () => reject(new Trouble(
         "CesiumJS could not be loaded.",
-        `This page draws the terrain with CesiumJS from ${cesiumBase}, which did not answer. Check that this ` +
-        "computer is online, or put a copy of CesiumJS beside the page: get its release (folder Build/Cesium) and run",
+        `This page draws the terrain with CesiumJS from ${cesiumBase}, which did not answer. Check that ` +
+        "this computer is online, or put a copy of CesiumJS beside the page: get a release of it " +
+        "(folder Build/Cesium) and run",
         { command: "gdal2qmesh -w cesium --cesium Build/Cesium --overwrite INPUT OUTPUT" }));
       document.head.append(script);
     });
@@ -158,8 +159,8 @@
   }
 
   /**
-   * The height of a tile's terrain at a place, undefined beside it. Not the height of the surface drawn: at low
-   * levels its flat triangles lie kilometres below the curved Earth.
+   * The height of a tile's terrain at a place, undefined beside it. Not the height of the surface drawn: at
+   * low levels its flat triangles lie kilometres below the curved Earth.
    */
   function heightOnMesh({ encoding, vertices, indices, indexCountWithoutSkirts }, rectangle, place) {
     const u = (place.longitude - rectangle.west) / rectangle.width;
@@ -176,6 +177,12 @@
       return (1 - atB - atC) * height(0) + atB * height(1) + atC * height(2);
     }
     return undefined;
+  }
+
+  /** The level a tile's heights come from: where a set ends, CesiumJS cuts deeper tiles out of its last ones. */
+  function levelOf(tile, place, viewer) {
+    const deepest = viewer.terrainProvider.availability?.computeMaximumLevelAtPosition(place);
+    return Math.min(tile.level, deepest ?? tile.level);
   }
 
   function plural(count, word) {
@@ -196,7 +203,7 @@
       ?? place.height / viewer.scene.verticalExaggeration;
     byId("place").textContent = [
       formatAngle(place.latitude, "N", "S"), formatAngle(place.longitude, "E", "W"),
-      `${formatHeight(height, 1)} m`, ...(tile ? [`level ${tile.level}`] : []),
+      `${formatHeight(height, 1)} m`, ...(tile ? [`level ${levelOf(tile, place, viewer)}`] : []),
     ].join(" · ");
   }
 

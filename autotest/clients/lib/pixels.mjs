@@ -2,8 +2,8 @@
 // Copyright (c) 2026 the qmesh authors
 
 /**
- * What a screenshot shows, counted in the browser's own canvas (no image library): share of magenta pixels, of
- * pixels unlike the page's background, and of distinct colours (4 bits a channel) among these.
+ * What a screenshot shows, counted in the browser's own canvas (no image library): share of magenta
+ * pixels, of pixels unlike the page's background, and of distinct colours (4 bits a channel) among these.
  */
 export async function pixelFacts(page, png, background = [18, 22, 26]) {
   return page.evaluate(async ([base64, [r0, g0, b0]]) => {

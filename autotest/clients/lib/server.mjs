@@ -24,8 +24,8 @@ async function readUnder(folder, name) {
 
 /**
  * Serves folders on a free port of this machine: `mounts` maps the first part of a path to a folder,
- * "" is for everything else. `encoding`: announce gzip tiles with Content-Encoding, as a well-kept server does; without it
- * the server behaves as `python3 -m http.server`. `failures` collects the paths answered with 404.
+ * "" is for everything else. `encoding`: announce gzip tiles with Content-Encoding, as a well-kept server
+ * does; without it the server behaves as `python3 -m http.server`. `failures` collects the paths answered with 404.
  */
 export async function serve(mounts, { encoding = true } = {}) {
   const failures = [];
