@@ -96,10 +96,9 @@ const terrainLook = (() => {
 
   function lookAt(viewer, bounds, middleHeight) {
     if (bounds.width > Cesium.Math.toRadians(120) || bounds.height > Cesium.Math.toRadians(100)) {
-      const whole = bounds.width > Cesium.Math.toRadians(300);
-      const centre = Cesium.Rectangle.center(bounds);
-      viewer.camera.setView({ destination: Cesium.Cartesian3.fromRadians(
-        whole ? 0 : centre.longitude, whole ? 0.35 : centre.latitude, 1.8e7) });
+      const { longitude, latitude } = Cesium.Rectangle.center(bounds);
+      const north = Math.abs(latitude) < 0.2 ? 0.35 : latitude;
+      viewer.camera.setView({ destination: Cesium.Cartesian3.fromRadians(longitude, north, 1.8e7) });
       return;
     }
     const sphere = Cesium.BoundingSphere.fromRectangle3D(bounds, Cesium.Ellipsoid.WGS84, middleHeight);
@@ -155,13 +154,15 @@ const terrainLook = (() => {
           float half_texel = 0.5 / 512.0;
           float sea = clamp(1.0 - height / deepest, 0.0, 1.0) * 0.5;
           float land = clamp((height - lowest) / (highest - lowest), 0.0, 1.0) * 0.5 + 0.5;
-          float at = height < 0.0 ? clamp(sea, half_texel, 0.5 - half_texel)
+          // Voids filled with 0 m come back a quantization step off: land, all of them.
+          float at = height < -5e-4 * (highest - deepest) ? clamp(sea, half_texel, 0.5 - half_texel)
                                   : clamp(land, 0.5 + half_texel, 1.0 - half_texel);
           material.diffuse = texture(ramp, vec2(at, 0.5)).rgb;
           vec2 within = place_on_globe(materialInput.positionToEyeEC) - corner;
           within.x = mod(within.x, czm_twoPi);
-          bool outside = any(greaterThan(within, extent)) || within.y < 0.0;
-          if (outside && extent.x < 6.28) material.diffuse = mix(vec3(0.46), material.diffuse, 0.12);
+          vec2 rounding = vec2(2e-6);
+          bool outside = any(greaterThan(within, extent + rounding)) || within.y < -rounding.y;
+          if (outside) material.diffuse = mix(vec3(0.46), material.diffuse, 0.12);
           vec2 pixel = fwidth(materialInput.st);
           vec2 rim = min(materialInput.st, 1.0 - materialInput.st) / max(pixel, vec2(1e-6));
           float line = 1.0 - smoothstep(0.5, 1.3, min(rim.x, rim.y));
