@@ -94,12 +94,18 @@ QMESH_INLINE void ceilLanes(const typename Lanes<Real>::Reals& x, typename Lanes
   up -= __builtin_convertvector(__builtin_convertvector(up, Reals) < x, Ints);
 }
 
-/// Fills the rows [from, to) of the list with what lies between two edges.
+/// Rows from..to-1.
+struct RowRange {
+  int from;
+  int to;
+};
+
+/// Fills rows of the list with what lies between two edges.
 template <class Real>
-QMESH_INLINE void addRows(const SpanLine<Real>& left, const SpanLine<Real>& right, int from, int to,
+QMESH_INLINE void addRows(const SpanLine<Real>& left, const SpanLine<Real>& right, RowRange rows,
                           const Real* nodeV, Real slope, SpanList<Real>& list) {
   using Reals = typename Lanes<Real>::Reals;
-  for (int j = from; j < to; j += Lanes<Real>::kCount) {
+  for (int j = rows.from; j < rows.to; j += Lanes<Real>::kCount) {
     const int k = j - list.firstRow;
     Reals v;
     std::memcpy(&v, nodeV + j, sizeof v);
@@ -157,11 +163,12 @@ QMESH_INLINE void listSpans(const SpanCorner& a, const SpanCorner& b, const Span
   const SpanLine<Real> whole(*low, *high);
   if (low->row < mid->row) {
     const SpanLine<Real> part(*low, *mid);
-    addRows(midEast ? whole : part, midEast ? part : whole, low->row, mid->row, nodeV, slope, list);
+    addRows(midEast ? whole : part, midEast ? part : whole, {low->row, mid->row}, nodeV, slope,
+            list);
   }
   if (mid->row < high->row) {
     const SpanLine<Real> part(*mid, *high);
-    addRows(midEast ? whole : part, midEast ? part : whole, mid->row, high->row, nodeV, slope,
+    addRows(midEast ? whole : part, midEast ? part : whole, {mid->row, high->row}, nodeV, slope,
             list);
   }
   if (mid->v == kQuantizedMax)

@@ -3,6 +3,7 @@
 #include "mesh/tile_frame.h"
 
 #include <cmath>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -14,7 +15,10 @@ namespace {
 using namespace test;
 
 TEST(TileFrame, PutsNodesWhereTheyAre) {
-  for (const Place& place : places()) {
+  std::vector<Place> all = places();
+  all.push_back({Profile::mercator, 0, 0, 0, 1024}); // the densest rows there are
+  all.push_back({Profile::geodetic, 24, 1, 16777215, 1024});
+  for (const Place& place : all) {
     SCOPED_TRACE(testing::Message() << place);
     const TerrainPatch patch(place.lattice(), place.id(), 1, 1, Terrain::fractal, 1);
     const HeightTile tile = patch.tile();

@@ -147,6 +147,19 @@ TEST(Greedy, IsAPureFunctionOfTheTile) {
   }
 }
 
+TEST(Greedy, WorksOnTheLargestTile) {
+  for (const Place& place :
+       {Place{Profile::geodetic, 10, 900, 300, 1024}, Place{Profile::mercator, 0, 0, 0, 1024}}) {
+    SCOPED_TRACE(testing::Message() << place);
+    const TerrainPatch patch(place.lattice(), place.id(), 1, 1, Terrain::ridged, 21);
+    LevelParams level = place.level(60);
+    level.baseGrid = 8;
+    const Simplified made = simplify(patch.tile(), level);
+    expectPromises(made, patch.tile());
+    EXPECT_EQ(made.tin.reason, StopReason::maxError);
+  }
+}
+
 TEST(Greedy, NeverMakes65536Vertices) {
   // All 255 x 255 inner nodes and 511 of the border's.
   const Place place{Profile::geodetic, 10, 9, 9, 256};
