@@ -71,9 +71,13 @@ Status outputError(const std::string& sentence, int error) {
 }
 
 Status makeFolders(const std::string& path, std::vector<std::string>* made) {
-  if (path.empty() || isFolder(path))
+  // One look only: between two another thread may make the folder.
+  VSIStatBufL info;
+  const bool exists = !path.empty() && VSIStatExL(path.c_str(), &info,
+                                                  VSI_STAT_EXISTS_FLAG | VSI_STAT_NATURE_FLAG) == 0;
+  if (path.empty() || (exists && VSI_ISDIR(info.st_mode)))
     return {};
-  if (pathExists(path))
+  if (exists)
     return {Code::output, "'" + path + "' is a file, so there can be no folder in its place"};
   const std::size_t slash = path.rfind('/');
   if (slash != std::string::npos && slash > 0)

@@ -20,6 +20,7 @@
 
 #include "gdalio/directory_sink.h"
 #include "gdalio/set_swap.h"
+#include "gdalio/vsi_files.h"
 
 namespace {
 /// Renames this process may still make; it is killed at the next one. Negative: no limit.
@@ -342,6 +343,21 @@ TEST_F(DirectorySinkTest, ManyThreadsWriteAtOnce) {
   EXPECT_EQ(0, failures);
   ASSERT_TRUE(sink->commit("{}").ok());
   EXPECT_EQ(1601u, tree().size());
+}
+
+// The thread in front makes a folder while the others, which catch up, look whether it is there.
+TEST_F(DirectorySinkTest, ManyThreadsMakeTheSameFolders) {
+  std::atomic<int> failures{0};
+  std::vector<std::thread> threads;
+  for (int t = 0; t < 4; ++t) {
+    threads.emplace_back([&] {
+      for (int k = 0; k < 2500; ++k)
+        failures += !makeFolders((base_ / std::to_string(k)).string()).ok();
+    });
+  }
+  for (std::thread& thread : threads)
+    thread.join();
+  EXPECT_EQ(0, failures);
 }
 
 TEST_F(DirectorySinkTest, AFullDiskIsAnErrorThatNamesTheFile) {
