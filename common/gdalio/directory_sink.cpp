@@ -39,7 +39,7 @@ class DirectorySink : public TileSink {
       : output_(std::move(output)), hidden_(output_ + "/" + kHiddenName), swap_(output_, hidden_),
         xyz_(xyz) {}
 
-  ~DirectorySink() override { abandon(); }
+  ~DirectorySink() override { DirectorySink::abandon(); }
 
   /// Everything that can be refused before the work.
   Status open(bool overwrite);
@@ -129,7 +129,7 @@ Status DirectorySink::writeFile(const std::string& name, const std::string& text
 Status DirectorySink::commit(const std::string& layerJson) {
   QMESH_RETURN_IF_ERROR(
       writeWholeFile(swap_.newFolder() + "/layer.json", layerJson.data(), layerJson.size()));
-  const Status status = swap_.run(files_);
+  Status status = swap_.run(files_);
   keepHidden_ = !status.ok() && pathExists(hidden_ + "/journal");
   if (status.ok()) {
     made_.clear();
