@@ -5,8 +5,8 @@
 
     whole_runs.py [--runs 5] [--only NAME] [--output FILE.csv] [--bin build/bin/gdal2qmesh]
 
-Rows: run name, DEM, options, runs, CPU and wall seconds, tiles, CPU milliseconds per tile, vertices, triangles,
-bytes, largest error reached in metres at the last zoom, peak memory in bytes. Real DEMs come from
+Rows: run name, DEM, options, runs, CPU and wall seconds, tiles, CPU milliseconds per tile, vertices,
+triangles, bytes, largest error reached in metres at the last zoom, peak memory in bytes. Real DEMs come from
 QMESH_TEST_DATA; rows whose DEM is not there are left out, and it says so. The output folders are
 temporary (TMPDIR says where), so put them on a fast disk to measure the program alone.
 """

@@ -225,7 +225,9 @@ class Nodes:
         margin = 2 + int(0.02 * width / 360.0 * columns * (not self.source.affine))
         i0 = int(np.floor((west + 180.0) / 360.0 * columns)) - margin
         i1 = int(np.ceil((west + width + 180.0) / 360.0 * columns)) + margin
-        return (0, columns, j0, j1 - j0 + 1) if i1 - i0 + 1 >= columns else (i0, i1 - i0 + 1, j0, j1 - j0 + 1)
+        if i1 - i0 + 1 >= columns:
+            i0, i1 = 0, columns - 1
+        return i0, i1 - i0 + 1, j0, j1 - j0 + 1
 
     def _finest(self, z):
         i0, width, j0, height = self._window(z)
@@ -285,7 +287,8 @@ class Nodes:
 
     def _pole_height(self, latitude):
         """Mean of the valid values at 1024 longitudes at a pole; NaN where there are none."""
-        if self.scheme.profile != "geodetic" or (self.box and not self.box[1] <= latitude <= self.box[3]):
+        outside = self.box is not None and not self.box[1] <= latitude <= self.box[3]
+        if self.scheme.profile != "geodetic" or outside:
             return np.nan
         lon = -180.0 + 360.0 * np.arange(1024) / 1024
         if self.source.affine:
@@ -298,7 +301,8 @@ class Nodes:
         values = values[~np.isnan(values)]
         if not len(values):
             return np.nan
-        return float(values.mean()) if self.node_heights is None else float(self.node_heights(values.mean()))
+        mean = values.mean()
+        return float(mean if self.node_heights is None else self.node_heights(mean))
 
 
 def _narrowest(lon):

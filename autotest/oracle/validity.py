@@ -135,13 +135,15 @@ def horizon_faults(tile, box, seed=1, viewers=40):
 
 
 def _viewers(direction, points, magnitude, random, count):
-    """Positions in scaled space; none for a point so far out that nobody ever loses it. The angle at which a viewer at distance d loses a point at
-    distance m is acos(1/d) + acos(1/m); most viewers stand within a little of it."""
+    """Positions in scaled space; none for a point so far out that nobody ever loses it. A viewer at
+    distance d loses a point at distance m at the angle acos(1/d) + acos(1/m); most viewers stand
+    within a little of it."""
     spread = np.arccos(np.clip(1.0 / max(magnitude, 1.0), 0, 1))
     for k in range(count if magnitude < 1e6 else 0):
         distance = 1.0 + 10.0 ** random.uniform(-6, 0.5)
         critical = np.arccos(1.0 / distance) + spread
-        angle = min(np.pi, critical * (1 + random.uniform(-0.05, 0.05)) if k % 4 else random.uniform(0, np.pi))
+        angle = critical * (1 + random.uniform(-0.05, 0.05)) if k % 4 else random.uniform(0, np.pi)
+        angle = min(np.pi, angle)
         side = np.cross(direction, random.normal(size=3))
         side /= np.linalg.norm(side)
         yield distance * (np.cos(angle) * direction + np.sin(angle) * side)

@@ -3,7 +3,8 @@
 """Fixtures of the outside tests: the command as a real process on real files.
 
 QMESH_BIN        the command (default build/bin/gdal2qmesh of this tree)
-QMESH_TEST_DATA  folder with the real DEMs (default ../shared/data beside this tree; a skip is said aloud)
+QMESH_TEST_DATA  folder with the real DEMs (default ../shared/data beside this tree; without it the
+                 tests that need them are skipped, and that is said)
 QMESH_FULL       1: the large DEMs uncut
 """
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 # Copyright (c) 2026 the qmesh authors
-"""The DEMs of the tests by name: each a function path -> path of the file, None where it is not here."""
+"""The DEMs of the tests by name: each a function path -> path of the file, None where there is none."""
 
 import numpy as np
 from make_dem import make_dem

@@ -70,8 +70,8 @@ def rounding_bound(height, node_u, node_v, step):
 
 
 def bounded(tiles, nodes, max_error=None, rounding=False):
-    """P2: (faults, level -> largest error seen). `nodes`: the oracle's. `rounding`: a method that is not
-    driven by error may be as far off as rounding its vertices makes it."""
+    """P2: (faults, level -> largest error seen). `nodes`: the oracle's. `rounding`: a method that is
+    not driven by error may be as far off as rounding its vertices makes it."""
     limits = level_errors(tiles, max_error)
     u, faults, reached = node_u(nodes.cells), [], {}
     for z, x, y in sorted(tiles.available()):

@@ -173,7 +173,7 @@ USAGE_ERRORS = [
 ]
 
 
-@pytest.mark.parametrize("options, word", USAGE_ERRORS, ids=lambda v: " ".join(v) if isinstance(v, list) else "")
+@pytest.mark.parametrize("options, word", USAGE_ERRORS, ids=[" ".join(o) for o, _ in USAGE_ERRORS])
 def test_a_usage_error(tmp_path, options, word):
     good = dems.write(tmp_path / "good.tif", dems.hills(30, 30))
     with unchanged(tmp_path):

@@ -67,7 +67,8 @@ def all_nodes(nodes, scheme, name, shift=0):
     low, high = np.floor(height.min() * 64.0) / 64.0, height.max() + 0.01
     q = np.round((height - low) / (high - low) * QUANTIZED_MAX)
     a = (np.arange(n)[:, None] * (n + 1) + np.arange(n)).ravel()
-    triangles = np.concatenate([np.stack([a, a + 1, a + n + 2], 1), np.stack([a, a + n + 2, a + n + 1], 1)])
+    south_east, north_west = (a, a + 1, a + n + 2), (a, a + n + 2, a + n + 1)
+    triangles = np.concatenate([np.stack(south_east, 1), np.stack(north_west, 1)])
     flat = [part.astype(np.int64).ravel() for part in (u, v, q)]
     return Tile(None, float(low), float(high), None, 0.0, None, *flat, triangles, {})
 

@@ -27,7 +27,8 @@ def huge(tmp_path_factory):
     pattern = dems.hills(512, 9000)
     for row in range(0, 9000, 512):
         rows = min(512, 9000 - row)
-        data.GetRasterBand(1).WriteArray(pattern[:rows] if row // 512 % 2 else pattern[::-1][:rows], 0, row)
+        turned = pattern if row // 512 % 2 else pattern[::-1]
+        data.GetRasterBand(1).WriteArray(turned[:rows], 0, row)
     data = None
     return path
 
