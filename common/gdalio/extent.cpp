@@ -14,7 +14,9 @@ namespace qmesh {
 namespace {
 
 constexpr int kOutlinePoints = 100; ///< per side
-constexpr int kInnerPoints = 40;    ///< per side
+constexpr int kFewestOutlinePoints = 12;
+constexpr int kInnerPoints = 40; ///< per side
+constexpr int kFewestInnerPoints = 5;
 constexpr std::size_t kManyBoxes = 64;
 constexpr double kSnapPixels = 1e-3;
 /// Round places: 1/64 arc second, which holds every tile edge down to zoom 12.
@@ -103,7 +105,9 @@ struct Outline {
   bool complete = true; ///< every point has a place
 };
 
-Outline outlineOf(const Placement& placement, double width, double height) {
+Outline outlineOf(const Placement& placement, double width, double height, double share) {
+  const int outlinePoints = std::max(kFewestOutlinePoints, int(kOutlinePoints * share));
+  const int innerPoints = std::max(kFewestInnerPoints, int(kInnerPoints * share));
   Outline out;
   const auto add = [&](double column, double row) {
     if (const std::optional<Place> p = placement.place(column, row))
@@ -111,16 +115,16 @@ Outline outlineOf(const Placement& placement, double width, double height) {
     else
       out.complete = false;
   };
-  for (int k = 0; k <= kOutlinePoints; ++k) {
-    const double t = double(k) / kOutlinePoints;
+  for (int k = 0; k <= outlinePoints; ++k) {
+    const double t = double(k) / outlinePoints;
     add(t * width, 0);
     add(t * width, height);
     add(0, t * height);
     add(width, t * height);
   }
-  for (int r = 1; r < kInnerPoints; ++r)
-    for (int c = 1; c < kInnerPoints; ++c)
-      add(c * width / kInnerPoints, r * height / kInnerPoints);
+  for (int r = 1; r < innerPoints; ++r)
+    for (int c = 1; c < innerPoints; ++c)
+      add(c * width / innerPoints, r * height / innerPoints);
   return out;
 }
 
@@ -179,14 +183,14 @@ double metresBetween(const Place& a, const Place& b) {
 
 } // namespace
 
-Result<GeoBox> rasterExtent(const RasterInput& input) {
+Result<GeoBox> rasterExtent(const RasterInput& input, double share) {
   if (input.lonLat)
     return lonLatExtent(input.frame);
   QuietErrors errors;
   const Result<Placement> placement = placementOf(input);
   if (!placement.ok())
     return placement.status();
-  const Outline outline = outlineOf(*placement, input.frame.width, input.frame.height);
+  const Outline outline = outlineOf(*placement, input.frame.width, input.frame.height, share);
   if (outline.places.empty())
     return Status(Code::input, errors.explain("'" + input.path +
                                               "' lies nowhere on the globe: check its coordinate "
@@ -204,7 +208,26 @@ Result<GeoBox> rasterExtent(const RasterInput& input) {
       box.east = 180;
     }
   // Where corners have no place the data ends somewhere between two of the inner points.
-  return outline.complete ? normalised(box) : grown(box, 2.0 / kInnerPoints);
+  return outline.complete
+             ? normalised(box)
+             : grown(box, 2.0 / std::max(kFewestInnerPoints, int(kInnerPoints * share)));
+}
+
+Result<std::vector<GeoBox>> coverageExtent(const RasterInput& input) {
+  std::vector<GeoBox> boxes;
+  for (const PixelRectangle& r : input.coverage) {
+    RasterInput part = input;
+    auto transform = input.frame.toWorld;
+    input.frame.toPlace(r.column, r.row, transform[0], transform[3]);
+    part.frame.set(transform, r.width, r.height, input.frame.turn);
+    const double share = std::max(r.width / input.frame.width, r.height / input.frame.height);
+    const Result<GeoBox> box = rasterExtent(part, share);
+    if (box.ok())
+      boxes.push_back(*box);
+    else if (input.coverage.size() == 1)
+      return box.status();
+  }
+  return boxes;
 }
 
 GeoBox widened(const GeoBox& box) {

@@ -15,7 +15,11 @@ namespace qmesh {
 /// raster on WGS 84 (edges within a thousandth of a pixel of a round place are put there, so that a
 /// degree tile does not reach into the next); for others a box round the transformed outline and
 /// inner points. Code::input where no pixel has a place.
-Result<GeoBox> rasterExtent(const RasterInput& input);
+/// `share`: of the side of a larger raster that `input` is a part of; a part needs fewer points.
+Result<GeoBox> rasterExtent(const RasterInput& input, double share = 1);
+
+/// The same for each of the rectangles that may hold data.
+Result<std::vector<GeoBox>> coverageExtent(const RasterInput& input);
 
 /// `box` with a margin of a fiftieth of its size: no node with data lies outside.
 GeoBox widened(const GeoBox& box);

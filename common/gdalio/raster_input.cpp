@@ -57,19 +57,23 @@ Status checkBands(GDALDataset& dataset, const std::string& path, int band) {
   return {};
 }
 
-Status readFrame(GDALDataset& dataset, RasterInput& out) {
+/// Without a place no coordinate system helps, so this is asked first.
+Status checkGeoreferencing(GDALDataset& dataset, const std::string& path) {
   std::array<double, 6> transform{};
   const std::array<double, 6> identity{0, 1, 0, 0, 0, 1};
-  const bool known = dataset.GetGeoTransform(transform.data()) == CE_None && transform != identity;
-  if (!known) {
-    const bool indirect = dataset.GetGCPCount() > 0 || dataset.GetMetadata("RPC") ||
-                          dataset.GetMetadata("GEOLOCATION");
-    return bad(out.path, indirect
-                             ? "is placed by control points or a sensor model only; rectify it "
-                               "first: gdalwarp INPUT RECTIFIED.tif"
-                             : "is not georeferenced; give it a place first: gdal_translate "
-                               "-a_ullr ULX ULY LRX LRY -a_srs SRS INPUT PLACED.tif");
-  }
+  if (dataset.GetGeoTransform(transform.data()) == CE_None && transform != identity)
+    return {};
+  const bool indirect =
+      dataset.GetGCPCount() > 0 || dataset.GetMetadata("RPC") || dataset.GetMetadata("GEOLOCATION");
+  return bad(path, indirect ? "is placed by control points or a sensor model only; rectify it "
+                              "first: gdalwarp INPUT RECTIFIED.tif"
+                            : "is not georeferenced; give it a place first: gdal_translate "
+                              "-a_ullr ULX ULY LRX LRY -a_srs SRS INPUT PLACED.tif");
+}
+
+Status readFrame(GDALDataset& dataset, RasterInput& out) {
+  std::array<double, 6> transform{};
+  dataset.GetGeoTransform(transform.data());
   if (!out.frame.set(transform, dataset.GetRasterXSize(), dataset.GetRasterYSize(),
                      fullTurn(out.srs)))
     return bad(out.path, "has a geotransform that cannot be inverted; its pixels have no area");
@@ -137,10 +141,12 @@ Result<RasterInput> describeRaster(const BuildOptions& options,
   QuietErrors errors;
   GDALDataset& dataset = **opened;
   QMESH_RETURN_IF_ERROR(checkBands(dataset, out.path, out.band));
+  QMESH_RETURN_IF_ERROR(checkGeoreferencing(dataset, out.path));
   QMESH_RETURN_IF_ERROR(readSrs(dataset, options, out));
   QMESH_RETURN_IF_ERROR(readFrame(dataset, out));
-  out.values = PixelValues::of(*dataset.GetRasterBand(out.band), options.sourceNodata,
-                               options.bathymetry, warnings);
+  GDALRasterBand& band = *dataset.GetRasterBand(out.band);
+  out.values = PixelValues::of(band, options.sourceNodata, options.bathymetry, warnings);
+  out.coverage = dataCoverage(band);
   return out;
 }
 

@@ -10,6 +10,7 @@
 #include <ogr_spatialref.h>
 
 #include "base/status.h"
+#include "gdalio/coverage.h"
 #include "gdalio/pixel_frame.h"
 #include "gdalio/pixel_values.h"
 #include "options/build_options.h"
@@ -31,6 +32,7 @@ struct RasterInput {
   OGRSpatialReference srs; ///< horizontal
   bool lonLat = false;     ///< longitude and latitude of WGS 84
   PixelValues values;
+  std::vector<PixelRectangle> coverage; ///< where there may be data
 
   /// Opens the dataset once more, sharing nothing with the others.
   Result<DatasetPtr> reopen() const;

@@ -108,9 +108,11 @@ Result<std::shared_ptr<NodeSourceFactory>> openRasterSource(const BuildOptions& 
   if (!whole.ok())
     return whole.status();
   setup->extent = widened(*whole);
-  std::vector<GeoBox> extent{*whole};
-  QMESH_RETURN_IF_ERROR(addRegions(options, *setup, extent));
-  auto factory = std::make_shared<RasterSourceFactory>(setup, std::move(extent));
+  Result<std::vector<GeoBox>> extent = coverageExtent(setup->input);
+  if (!extent.ok())
+    return extent.status();
+  QMESH_RETURN_IF_ERROR(addRegions(options, *setup, *extent));
+  auto factory = std::make_shared<RasterSourceFactory>(setup, *std::move(extent));
   QMESH_RETURN_IF_ERROR(factory->readPoles());
   return std::shared_ptr<NodeSourceFactory>(factory);
 }

@@ -37,7 +37,20 @@ Status writeReport(const std::string& file, const std::string& text) {
   const bool written = handle && VSIFWriteL(text.data(), 1, text.size(), handle) == text.size();
   const bool closed = handle && VSIFCloseL(handle) == 0;
   if (!written || !closed)
-    return {Code::output, file + ": cannot write the report"};
+    return {Code::output, file + ": the report cannot be written"};
+  return {};
+}
+
+/// Finds out before the work whether the report can be written; an existing one stays as it is.
+Status checkReport(const std::string& file) {
+  VSIStatBufL info;
+  const bool exists = VSIStatL(file.c_str(), &info) == 0;
+  VSILFILE* handle = VSIFOpenL(file.c_str(), exists ? "r+b" : "wb");
+  if (!handle)
+    return {Code::output, file + ": the report cannot be written there"};
+  VSIFCloseL(handle);
+  if (!exists)
+    VSIUnlink(file.c_str());
   return {};
 }
 
@@ -62,6 +75,8 @@ Status dryRun(const BuildOptions& options, const PyramidPlan& plan, const BlockP
 
 Status build(const BuildOptions& options, const PyramidPlan& plan, const BlockPlan& blocks,
              const NodeSourceFactory& source, Console& console) {
+  if (!options.report.empty())
+    QMESH_RETURN_IF_ERROR(checkReport(options.report));
   auto sink = openDirectorySink(options);
   if (!sink.ok())
     return sink.status();

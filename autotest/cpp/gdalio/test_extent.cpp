@@ -34,6 +34,52 @@ TEST(Extent, GeographicIsExactAndSnapsToRoundPlaces) {
   EXPECT_EQ(39.375, factory->extent()[0].south);
 }
 
+/// A sparse GeoTIFF of 100 x 50 degrees with two blocks written: at 0..5 E and 90..95 E, 45..50 N.
+std::string sparseRaster(const std::string& name, bool withNodata) {
+  GDALAllRegister();
+  const std::string path = "/vsimem/gdalio/" + name;
+  const char* const options[] = {"TILED=YES", "BLOCKXSIZE=256", "BLOCKYSIZE=256", "SPARSE_OK=TRUE",
+                                 nullptr};
+  GDALDataset* dataset = GetGDALDriverManager()->GetDriverByName("GTiff")->Create(
+      path.c_str(), 5120, 2560, 1, GDT_Float32, const_cast<char**>(options));
+  double transform[6] = {0, 5.0 / 256, 0, 50, 0, -5.0 / 256};
+  dataset->SetGeoTransform(transform);
+  OGRSpatialReference srs;
+  srs.SetFromUserInput("EPSG:4326");
+  dataset->SetSpatialRef(&srs);
+  if (withNodata)
+    dataset->GetRasterBand(1)->SetNoDataValue(-9999);
+  std::vector<float> block(256 * 256, 7);
+  for (const int column : {0, 18 * 256}) {
+    EXPECT_EQ(CE_None,
+              dataset->GetRasterBand(1)->RasterIO(GF_Write, column, 0, 256, 256, block.data(), 256,
+                                                  256, GDT_Float32, 0, 0, nullptr));
+  }
+  GDALClose(dataset);
+  return path;
+}
+
+// P4: what a file knows to be empty costs nothing - where empty means void, and not 0 metres.
+TEST(Extent, LeavesOutTheHolesOfASparseRaster) {
+  const FactoryPtr sparse = openSource(optionsFor(sparseRaster("sparse.tif", true)));
+  ASSERT_TRUE(sparse);
+  constexpr double kSlack = 64 * 5.0 / 256; // degrees: holes are told by 64 pixels
+  bool west = false, east = false;
+  for (const GeoBox& box : sparse->extent()) {
+    EXPECT_TRUE(box.east <= 5 + kSlack || (box.west >= 90 - kSlack && box.east <= 95 + kSlack))
+        << box.west << " " << box.east;
+    EXPECT_GE(box.south, 45 - kSlack);
+    west = west || (box.west <= 2 && box.east >= 2);
+    east = east || (box.west <= 92 && box.east >= 92);
+  }
+  EXPECT_TRUE(west && east);
+
+  const FactoryPtr zeros = openSource(optionsFor(sparseRaster("zeros.tif", false)));
+  ASSERT_TRUE(zeros);
+  ASSERT_EQ(1u, zeros->extent().size());
+  EXPECT_EQ(100, zeros->extent()[0].east);
+}
+
 TEST(Extent, EastLongitudesAreBroughtHome) {
   const FactoryPtr factory = openSource(optionsFor(write(degreeRaster(350, 10, 100, 20))));
   ASSERT_TRUE(factory);
