@@ -56,6 +56,24 @@ def test_nan_and_infinite_cells_are_voids(tmp_path):
     assert low > -1, "a nodata value became a height"
 
 
+@pytest.mark.parametrize("filler", [-3.4028234663852886e38, 3.4028234663852886e38, -1e38, 9.96921e36, -1e30])
+def test_numbers_that_no_height_can_have_are_voids(tmp_path, filler):
+    """Fill values that nobody declared; the same tiles as with NaN in their place."""
+    ground = dems.hills(80, 90)
+    declared, odd = ground.copy(), ground.copy()
+    declared[20:40, 30:50] = np.nan
+    odd[20:40, 30:50] = filler
+    a = dems.write(tmp_path / "a.tif", declared)
+    b = dems.write(tmp_path / "b.tif", odd)
+    c = dems.write(tmp_path / "c.tif", odd.astype(np.float64), scale=2.0, offset=0.0)
+    build(a, tmp_path / "a", "-z", "0-8")
+    build(b, tmp_path / "b", "-z", "0-8")
+    assert terrain_files(tmp_path / "a") == terrain_files(tmp_path / "b")
+    tiles, _ = build(c, tmp_path / "c", "-z", "0-8")
+    check(tiles)
+    assert max(tiles.tile(*t).heights().max() for t in tiles.available()) < 2000
+
+
 def test_nodata_given_by_hand(tmp_path):
     ground = dems.hills(60, 60)
     ground[10:30, 10:20] = -777

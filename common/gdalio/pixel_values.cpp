@@ -80,17 +80,15 @@ template <class T> bool fits(double value) {
          value < std::ldexp(1.0, std::numeric_limits<T>::digits);
 }
 
-bool finite(float v) {
-  return v - v == 0;
+/// Metres. Beyond it a number is a fill value that nobody declared: the Moon is nearer.
+constexpr double kLargestHeight = 1e9;
+
+/// False for NaN and infinities too.
+bool isHeight(double metres) {
+  return std::abs(metres) <= kLargestHeight;
 }
-bool finite(double v) {
-  return v - v == 0;
-}
-bool finite(std::int64_t) {
-  return true;
-}
-bool finite(std::uint64_t) {
-  return true;
+bool isHeight(float metres) {
+  return std::abs(metres) <= float(kLargestHeight);
 }
 
 } // namespace
@@ -169,15 +167,15 @@ void PixelValues::convert(const T* raw, std::size_t count, T low, T high, float*
   constexpr float kVoid = std::numeric_limits<float>::quiet_NaN();
   if (std::is_same_v<T, float> && factor_ == 1 && shift_ == 0) {
     for (std::size_t k = 0; k < count; ++k)
-      heights[k] = finite(raw[k]) && !(raw[k] >= low && raw[k] <= high) ? float(raw[k]) : kVoid;
+      heights[k] =
+          isHeight(float(raw[k])) && !(raw[k] >= low && raw[k] <= high) ? float(raw[k]) : kVoid;
     return;
   }
   for (std::size_t k = 0; k < count; ++k) {
     const T value = raw[k];
-    const bool isVoid = !finite(value) || (value >= low && value <= high);
+    const bool isVoid = value >= low && value <= high;
     const double height = double(value) * factor_ + shift_;
-    heights[k] =
-        isVoid || !(std::abs(height) <= std::numeric_limits<float>::max()) ? kVoid : float(height);
+    heights[k] = isVoid || !isHeight(height) ? kVoid : float(height);
   }
 }
 
