@@ -56,7 +56,7 @@ def test_nan_and_infinite_cells_are_voids(tmp_path):
     assert low > -1, "a nodata value became a height"
 
 
-@pytest.mark.parametrize("filler", [-3.4028234663852886e38, 3.4028234663852886e38, -1e38, 9.96921e36, -1e30])
+@pytest.mark.parametrize("filler", [-3.4028234663852886e38, 3.4028234663852886e38, -1e38, 9.96921e36, 1e20])
 def test_numbers_that_no_height_can_have_are_voids(tmp_path, filler):
     """Fill values that nobody declared; the same tiles as with NaN in their place."""
     ground = dems.hills(80, 90)

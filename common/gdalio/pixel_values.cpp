@@ -80,8 +80,9 @@ template <class T> bool fits(double value) {
          value < std::ldexp(1.0, std::numeric_limits<T>::digits);
 }
 
-/// Metres. Beyond it a number is a fill value that nobody declared: the Moon is nearer.
-constexpr double kLargestHeight = 1e9;
+/// Metres. Beyond it a number is a fill value that nobody declared; 64-bit whole numbers end
+/// before.
+constexpr double kLargestHeight = 1e19;
 
 /// False for NaN and infinities too.
 bool isHeight(double metres) {

@@ -13,7 +13,7 @@
 namespace qmesh {
 
 /// How the numbers of a band become heights in metres: void test on the raw number, then
-/// raw * scale + offset, unit, sign. NaN, infinities and heights beyond 1e9 m are voids always.
+/// raw * scale + offset, unit, sign. NaN, infinities and heights beyond 1e19 m are voids always.
 class PixelValues {
  public:
   /// Reads the band's own record; `nodata` (-a) replaces the band's. Warnings name an unknown unit
