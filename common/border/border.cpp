@@ -14,9 +14,8 @@ struct EdgeProfile {
   const float* heights;
   std::ptrdiff_t stride;
   const TileFrame& frame;
-  bool alongRow;  ///< south and north edges run along u
-  double step;    ///< S of the level, not the coarser one of a tile: the neighbour has another
-  bool twoPlaces; ///< a node may have both its places
+  bool alongRow; ///< south and north edges run along u
+  double step;   ///< S of the level, not the coarser one of a tile: the neighbour has another
 
   double place(int node) const { return alongRow ? frame.nodeU(node) : frame.nodeV(node); }
   int nearestPlace(int node) const { return alongRow ? frame.u(node) : frame.v(node); }
@@ -43,8 +42,7 @@ Worst worstBetween(const EdgeProfile& profile, const EdgeVertex& a, const EdgeVe
   Worst worst;
   for (int k = a.node; k <= b.node; ++k) {
     const double place = profile.place(k);
-    const bool isVertex = k == a.node || k == b.node;
-    if (place <= a.place || place >= b.place || (isVertex && !profile.twoPlaces))
+    if (place <= a.place || place >= b.place)
       continue;
     const double error = std::abs(ha + (place - a.place) * slope - profile.height(k));
     if (error > worst.error) {
@@ -76,11 +74,12 @@ void makeBorder(const HeightTile& tile, const TileFrame& frame, const LevelParam
   const int cells = tile.cells();
   const int baseCells = cells / level.baseGrid;
   // The float32 of a tile's maximum height may move a decoded height by less than this.
-  const double tolerance = level.maxError - std::min(0.0005, level.maxError / 16);
+  const double tolerance =
+      std::max(level.maxError - std::min(0.0005, level.maxError / 16), level.borderRounding());
   const std::ptrdiff_t north = tile.row(1) - tile.row(0);
   const auto makeEdge = [&](Edge edge, int i, int j, bool alongRow) {
-    const EdgeProfile profile{tile.row(j) + i, alongRow ? 1 : north, frame,
-                              alongRow,        level.latticeStep,    level.canReachMaxError()};
+    const EdgeProfile profile{tile.row(j) + i, alongRow ? 1 : north, frame, alongRow,
+                              level.latticeStep};
     const bool pole = alongRow && tile.lattice().isPole(tile.row0() + j);
     std::vector<std::uint16_t>& places = border[edge];
     places.clear();

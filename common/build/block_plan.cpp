@@ -104,9 +104,11 @@ Result<BlockPlan> planBlocks(const BuildOptions& options, const PyramidPlan& pla
   const int largest = options.blockTiles ? smallest : kMaxDepth;
   const std::size_t minimum = bytesNeeded(bytesPerThread(options, smallest, bytesPerSource), 1);
   if (memory < minimum) {
-    return Status(Code::usage, "--memory is too small: this run needs at least " +
-                                   std::to_string((minimum + kMiB - 1) / kMiB) +
-                                   "MB (less with a smaller --tilesize)");
+    return Status(Code::usage,
+                  "--memory is too small: this run needs at least " +
+                      std::to_string((minimum + kMiB - 1) / kMiB) +
+                      "MB (less with a smaller --tilesize, or a DEM in smaller blocks: "
+                      "gdal_translate -co TILED=YES)");
   }
   for (int threads = options.threads > 0 ? options.threads : processors; threads >= 1; --threads) {
     for (int depth = largest; depth >= smallest; --depth) {

@@ -3,6 +3,7 @@
 #include "build/estimate.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "base/stopwatch.h"
@@ -26,6 +27,13 @@ TileId nthTile(const std::vector<TileRange>& ranges, int zoom, std::uint64_t n) 
     n -= r.count();
   }
   return {zoom, ranges.front().x0, ranges.front().y0};
+}
+
+/// The k-th of numbers that spread over 0..count-1 by the golden section: even steps would fall on
+/// one column of tiles, the rim of the data perhaps.
+std::uint64_t spread(std::uint64_t k, std::uint64_t count) {
+  const double place = (double(k) + 0.5) * 0.6180339887498949;
+  return std::min(count - 1, std::uint64_t((place - std::floor(place)) * double(count)));
 }
 
 /// One tile of a zoom, sampled at that zoom, made and thrown away.
@@ -72,7 +80,7 @@ Result<Estimate> estimateRun(const BuildOptions& options, const PyramidPlan& pla
       std::uint64_t bytes = 0;
       Stopwatch watch;
       for (std::uint64_t k = 0; k < tries; ++k) {
-        const TileId id = nthTile(ranges, zoom, (2 * k + 1) * count / (2 * tries));
+        const TileId id = nthTile(ranges, zoom, spread(k, count));
         QMESH_RETURN_IF_ERROR(tryTile(options, plan, source, **nodes, id, job, bytes));
       }
       bytesPerTile = double(bytes) / double(tries);

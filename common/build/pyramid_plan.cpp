@@ -11,12 +11,21 @@ namespace qmesh {
 
 namespace {
 
+/// At the deepest zooms half a pixel is less than the format's 15 bits hold, metres.
+constexpr double kLeastDefaultError = 0.002;
+
 /// The zooms of the run: -z, else 0 and the native zoom.
 Status chooseZooms(const BuildOptions& options, const NodeSourceFactory& source,
                    PyramidPlan& plan) {
   const int native = source.nativeZoom(plan.scheme, plan.cells);
   plan.minZoom = options.minZoom.value_or(0);
-  plan.maxZoom = options.maxZoom.value_or(std::max(native, plan.minZoom));
+  plan.maxZoom = options.maxZoom.value_or(native);
+  if (!options.maxZoom && plan.minZoom > native) {
+    return {Code::usage, "the minimum zoom " + std::to_string(plan.minZoom) +
+                             " is above the DEM's native zoom " + std::to_string(native) +
+                             "; to go there all the same say it: -z " +
+                             std::to_string(plan.minZoom)};
+  }
   if (plan.minZoom > plan.maxZoom) {
     return {Code::usage, "the minimum zoom " + std::to_string(plan.minZoom) +
                              " is above the maximum zoom " + std::to_string(plan.maxZoom)};
@@ -47,6 +56,7 @@ Status chooseLevels(const BuildOptions& options, PyramidPlan& plan) {
       value *= plan.scheme.geometricError(zoom) / 2;
       if (zoom == plan.maxZoom)
         value /= 2;
+      value = std::max(value, kLeastDefaultError);
     }
     plan.levels.push_back(levelParams(plan.scheme, zoom, value, plan.cells));
   }
@@ -134,8 +144,7 @@ std::uint64_t PyramidPlan::tileCount() const {
   return count;
 }
 
-Result<PyramidPlan> planPyramid(const BuildOptions& options, const NodeSourceFactory& source,
-                                std::vector<std::string>& warnings) {
+Result<PyramidPlan> planPyramid(const BuildOptions& options, const NodeSourceFactory& source) {
   PyramidPlan plan;
   plan.scheme =
       Scheme(options.profile == ProfileChoice::geodetic ? Profile::geodetic : Profile::mercator);
@@ -155,9 +164,6 @@ Result<PyramidPlan> planPyramid(const BuildOptions& options, const NodeSourceFac
   }
   plan.bounds = hull(source.extent());
   addAncestorsAndRoots(plan);
-  if (plan.minZoom > 0) {
-    warnings.push_back("the set has no level 0: CesiumJS needs it unless the set overlays another");
-  }
   return plan;
 }
 

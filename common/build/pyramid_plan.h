@@ -33,9 +33,7 @@ struct PyramidPlan {
 
 /// Plans the pyramid. Tiles are those whose square meets the data's extent at the maximum zoom
 /// (within --min-x..--max-y), their ancestors, and at level 0 every root. Code::usage where the
-/// zooms or a SPEC make no sense, Code::input where no tile is left. `warnings` gains a sentence
-/// where the set cannot stand alone.
-Result<PyramidPlan> planPyramid(const BuildOptions& options, const NodeSourceFactory& source,
-                                std::vector<std::string>& warnings);
+/// zooms or a SPEC make no sense, Code::input where no tile is left.
+Result<PyramidPlan> planPyramid(const BuildOptions& options, const NodeSourceFactory& source);
 
 } // namespace qmesh

@@ -266,18 +266,21 @@ int nativeZoomOf(const RasterInput& input, const Scheme& scheme, int cellsPerTil
     return 0;
   const bool geodetic = scheme.profile() == Profile::geodetic;
   const auto& g = input.frame.toWorld;
-  const bool degrees = geodetic && input.frame.turn > 0;
+  const bool degrees = geodetic && input.srs.IsGeographic();
   const double unit = degrees ? 360 / input.frame.turn : 1;
   const double cell = degrees
                           ? unit * std::min(std::hypot(g[1], g[4]), std::hypot(g[2], g[5]))
                           : std::min(metresBetween(*west, *east), metresBetween(*north, *south));
+  // The mercator square ends before the poles, and so does the stretch of its nodes.
+  const double edge = geodetic ? 90 : scheme.latitude(1, 1);
+  const Place middle{centre->lon, std::clamp(centre->lat, -edge, edge)};
   for (int zoom = 0; zoom < kMaxZoom; ++zoom) {
     const double spacing = 360.0 / double(std::int64_t(scheme.tilesX(zoom)) * cellsPerTile);
     const double dLat =
-        geodetic ? spacing : spacing * std::cos(centre->lat * wgs84::kRadiansPerDegree);
+        geodetic ? spacing : spacing * std::cos(middle.lat * wgs84::kRadiansPerDegree);
     const double northward =
-        metresBetween({centre->lon, centre->lat - dLat / 2}, {centre->lon, centre->lat + dLat / 2});
-    const double eastward = metresBetween(*centre, {centre->lon + spacing, centre->lat});
+        metresBetween({middle.lon, middle.lat - dLat / 2}, {middle.lon, middle.lat + dLat / 2});
+    const double eastward = metresBetween(middle, {middle.lon + spacing, middle.lat});
     const double metres = geodetic ? northward : std::min(northward, eastward);
     if ((degrees ? spacing : metres) <= cell * (1 + 1e-4))
       return zoom;

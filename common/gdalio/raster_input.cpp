@@ -147,6 +147,11 @@ Result<RasterInput> describeRaster(const BuildOptions& options,
   GDALRasterBand& band = *dataset.GetRasterBand(out.band);
   out.values = PixelValues::of(band, options.sourceNodata, options.bathymetry, warnings);
   out.coverage = dataCoverage(band);
+  int blockWidth = 0;
+  int blockHeight = 0;
+  band.GetBlockSize(&blockWidth, &blockHeight);
+  out.blockBytes = std::size_t(blockWidth) * std::size_t(blockHeight) *
+                   std::size_t(GDALGetDataTypeSizeBytes(band.GetRasterDataType()));
   return out;
 }
 

@@ -32,6 +32,7 @@ struct RasterInput {
   OGRSpatialReference srs; ///< horizontal
   bool lonLat = false;     ///< longitude and latitude of WGS 84
   PixelValues values;
+  std::size_t blockBytes = 0;           ///< of one block of the file, as GDAL holds it
   std::vector<PixelRectangle> coverage; ///< where there may be data
 
   /// Opens the dataset once more, sharing nothing with the others.

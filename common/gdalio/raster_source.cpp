@@ -38,7 +38,10 @@ class RasterSourceFactory : public NodeSourceFactory {
 
   Result<bool> hasData() const override { return RasterSampler::anyHeight(setup_->input); }
 
-  std::size_t bytesPerSource() const override { return RasterSampler::bytes() + kDatasetBytes; }
+  /// A block is held twice while it is read: as it is in the file and in the block cache.
+  std::size_t bytesPerSource() const override {
+    return RasterSampler::bytes() + kDatasetBytes + 2 * setup_->input.blockBytes;
+  }
 
   /// Reads both pole rows: the mean of 1024 bilinear samples.
   Status readPoles() {

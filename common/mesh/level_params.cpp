@@ -13,15 +13,24 @@ namespace qmesh {
 namespace {
 
 constexpr double kFinestStep = 1.0 / 1024;
+/// No terrain on Earth or its sea floor differs by more within a tile, metres.
+constexpr double kLargestRelief = 16000;
+
+/// The smallest power of two, from kFinestStep on, whose 32767 steps span a range of heights.
+double stepFor(double rangeMetres) {
+  double step = kFinestStep;
+  while (kQuantizedMax * step < rangeMetres)
+    step *= 2;
+  return step;
+}
 
 } // namespace
 
 double latticeStep(const Scheme& scheme, int zoom, double maxErrorMetres) {
-  const double range = std::min(double(kQuantizedMax), 4 * scheme.tileMetres(zoom));
-  double step = kFinestStep;
-  while (kQuantizedMax * step < range)
-    step *= 2;
-  while (step > kFinestStep && step > maxErrorMetres / 2)
+  const double size = scheme.tileMetres(zoom);
+  const double least = stepFor(std::min(kLargestRelief, size));
+  double step = stepFor(std::min(double(kQuantizedMax), 4 * size));
+  while (step > least && step > maxErrorMetres / 2)
     step /= 2;
   return step;
 }

@@ -14,15 +14,16 @@ struct LevelParams {
   double latticeStep = 1; ///< S, metres, a power of two: see latticeStep()
   int baseGrid = 1;       ///< cells per edge of the curvature grid, a power of two, 1..N
 
-  /// True where the lattice's rounding leaves room for the max error (from 2 mm on, that is): then
-  /// every node can be brought within it.
-  bool canReachMaxError() const { return latticeStep <= maxError / 2; }
+  /// What the rounding of a border vertex's height to the lattice may cost, metres, with a margin:
+  /// no border can be held to less.
+  double borderRounding() const { return 0.51 * latticeStep; }
 };
 
 /// The step S of the level's height lattice, metres: the smallest power of two with
 /// 32767 S >= min(32767, 4 w), w the tile's north-south size, lowered to the largest power of two
-/// <= maxError / 2 where that is less; never below 2^-10 m, so that heights on Earth stay exact in
-/// the header's float32.
+/// <= maxError / 2 where that is less - but not so far that a tile of real relief, min(16000, w),
+/// would not fit any more: no seam is given for a small max error. Never below 2^-10 m, so that
+/// heights on Earth stay exact in the header's float32.
 double latticeStep(const Scheme& scheme, int zoom, double maxErrorMetres);
 
 /// Cells per tile edge that keep the sag of a triangle's hypotenuse on the sphere, L^2 / (4 R),

@@ -42,6 +42,8 @@ class TileFrame {
 
   /// Height of quantized height q, as a client decodes it: min + q / 32767 * (max - min).
   double decode(std::uint16_t q) const { return double(min_) + double(q) * step_; }
+  /// Metres between two quantized heights: what an inner vertex's height is rounded to.
+  double heightStep() const { return step_; }
   /// Nearest quantized height of an interior vertex.
   std::uint16_t quantize(float height) const;
   /// Quantized height of a border vertex: the nearest multiple of the level's S, which the tile

@@ -88,7 +88,7 @@ Status Greedy::simplify(const HeightTile& tile, const TileFrame& frame, const Bo
   assert(tile.cells() == frame.cells());
   tile_ = &tile;
   frame_ = &frame;
-  severalPlaces_ = level.canReachMaxError() && frame.coarseStep() == 0;
+  severalPlaces_ = frame.heightStep() <= level.maxError; // else rounded heights are in the way
   heights_.reset(tile, frame);
   start(border, level.baseGrid);
   const float tolerance = scanTolerance(level.maxError);

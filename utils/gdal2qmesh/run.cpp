@@ -3,6 +3,7 @@
 #include "run.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <thread>
 
 #include <cpl_conv.h>
@@ -25,12 +26,6 @@ int processors() {
   return std::max(1u, std::thread::hardware_concurrency());
 }
 
-void tellWarnings(std::vector<std::string>& warnings, Console& console) {
-  for (const std::string& warning : warnings)
-    console.warning(warning);
-  warnings.clear();
-}
-
 /// Through VSI, so that --report may name any place GDAL can write.
 Status writeReport(const std::string& file, const std::string& text) {
   VSILFILE* handle = VSIFOpenL(file.c_str(), "wb");
@@ -41,8 +36,18 @@ Status writeReport(const std::string& file, const std::string& text) {
   return {};
 }
 
+bool isSameFile(const std::string& a, const std::string& b) {
+  std::error_code none;
+  return a == b || std::filesystem::equivalent(a, b, none);
+}
+
 /// Finds out before the work whether the report can be written; an existing one stays as it is.
-Status checkReport(const std::string& file) {
+Status checkReport(const BuildOptions& options) {
+  const std::string& file = options.report;
+  for (const std::string& read : {options.input, options.cutline, options.configFile}) {
+    if (isSameFile(file, read))
+      return {Code::usage, "--report " + file + " is a file this run reads; name another one"};
+  }
   VSIStatBufL info;
   const bool exists = VSIStatL(file.c_str(), &info) == 0;
   VSILFILE* handle = VSIFOpenL(file.c_str(), exists ? "r+b" : "wb");
@@ -76,7 +81,7 @@ Status dryRun(const BuildOptions& options, const PyramidPlan& plan, const BlockP
 Status build(const BuildOptions& options, const PyramidPlan& plan, const BlockPlan& blocks,
              const NodeSourceFactory& source, Console& console) {
   if (!options.report.empty())
-    QMESH_RETURN_IF_ERROR(checkReport(options.report));
+    QMESH_RETURN_IF_ERROR(checkReport(options));
   auto sink = openDirectorySink(options);
   if (!sink.ok())
     return sink.status();
@@ -112,11 +117,11 @@ Status runBuild(const BuildOptions& options, Console& console) {
   }
   std::vector<std::string> warnings;
   const auto source = openRasterSource(options, warnings);
-  tellWarnings(warnings, console);
+  for (const std::string& warning : warnings)
+    console.warning(warning);
   if (!source.ok())
     return source.status();
-  const auto plan = planPyramid(options, **source, warnings);
-  tellWarnings(warnings, console);
+  const auto plan = planPyramid(options, **source);
   if (!plan.ok())
     return plan.status();
   const auto blocks = planBlocks(options, *plan, (*source)->bytesPerSource(), processors());

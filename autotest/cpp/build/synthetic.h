@@ -134,8 +134,7 @@ inline BuildOptions smallOptions() {
 /// Builds and expects success.
 inline BuildReport build(const BuildOptions& options, const Source& source, Sink& sink,
                          const std::function<void(BlockPlan&)>& change = {}) {
-  std::vector<std::string> warnings;
-  const auto plan = planPyramid(options, source, warnings);
+  const auto plan = planPyramid(options, source);
   EXPECT_TRUE(plan.ok()) << plan.status().message();
   auto blocks = planBlocks(options, *plan, source.bytesPerSource(), 1);
   EXPECT_TRUE(blocks.ok()) << blocks.status().message();

@@ -9,8 +9,7 @@ PyramidPlan planOf(const BuildOptions& options, int zoom) {
   synthetic::Source source;
   source.boxes = {{-180, -90, 180, 90}};
   source.zoom = zoom;
-  std::vector<std::string> warnings;
-  return *planPyramid(options, source, warnings);
+  return *planPyramid(options, source);
 }
 
 // Zooms 7..0 in blocks of 8x8: 7 6 5 | 4 3 2 | 1 0

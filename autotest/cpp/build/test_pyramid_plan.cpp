@@ -11,8 +11,7 @@ Result<PyramidPlan> plan(const BuildOptions& options, const std::vector<GeoBox>&
   Source source;
   source.boxes = boxes;
   source.zoom = zoom;
-  std::vector<std::string> warnings;
-  return planPyramid(options, source, warnings);
+  return planPyramid(options, source);
 }
 
 // A box that ends on a tile's edge does not touch the tile beyond.

@@ -163,8 +163,7 @@ TEST(Tileset, BridgedVoidsAreSmooth) {
 TEST(Tileset, InterruptAndFailureAbandonTheSink) {
   const Globe source;
   const BuildOptions options = synthetic::smallOptions();
-  std::vector<std::string> warnings;
-  const auto plan = planPyramid(options, source, warnings);
+  const auto plan = planPyramid(options, source);
   const auto blocks = planBlocks(options, *plan, source.bytesPerSource(), 2);
   Sink failing;
   failing.failAfter = 5;
@@ -185,8 +184,7 @@ TEST(Tileset, ProgressNeverGoesBack) {
     BuildOptions options = synthetic::smallOptions();
     options.voidFill = fill;
     const Globe source;
-    std::vector<std::string> warnings;
-    const auto plan = planPyramid(options, source, warnings);
+    const auto plan = planPyramid(options, source);
     const auto blocks = planBlocks(options, *plan, source.bytesPerSource(), 2);
     Sink sink;
     double last = 0;

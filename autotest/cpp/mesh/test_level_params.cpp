@@ -22,17 +22,30 @@ TEST(LatticeStep, IsOneMetreDownToZoomTwelveThenHalves) {
 }
 
 TEST(LatticeStep, IsAtMostHalfTheMaxErrorAndAPowerOfTwo) {
-  for (const double maxError : {100.0, 2.0, 1.99, 0.7, 0.01, 0.002}) {
-    const double step = latticeStep(kGeodetic, 8, maxError);
+  // At zoom 16 tiles are 306 m: 1/16 m for 4 w, and not below 1/64 m for real relief.
+  for (const double maxError : {100.0, 2.0, 0.1, 0.09, 0.04}) {
+    const double step = latticeStep(kGeodetic, 16, maxError);
     EXPECT_LE(step, maxError / 2);
-    EXPECT_TRUE(step == 1 || 2 * step > maxError / 2) << maxError;
+    EXPECT_TRUE(step == 1.0 / 16 || 2 * step > maxError / 2) << maxError;
     int exponent = 0;
     EXPECT_EQ(std::frexp(step, &exponent), 0.5);
+  }
+  EXPECT_EQ(latticeStep(kGeodetic, 16, 0.001), 1.0 / 64);
+}
+
+// P1 before P2: whatever the max error, terrain that is as steep as 45 degrees across the whole
+// tile fits the lattice, so no tile of it takes a coarser step than its neighbours.
+TEST(LatticeStep, HoldsRealReliefHoweverSmallTheMaxError) {
+  for (const Scheme& scheme : {kGeodetic, kMercator}) {
+    for (int zoom = 0; zoom <= 24; ++zoom) {
+      const double relief = std::min(16000.0, scheme.tileMetres(zoom));
+      EXPECT_GE(32767 * latticeStep(scheme, zoom, 0), relief) << zoom;
+    }
   }
 }
 
 TEST(LatticeStep, StaysExactInTheHeader) {
-  EXPECT_EQ(latticeStep(kGeodetic, 5, 0), 1.0 / 1024);
+  EXPECT_EQ(latticeStep(kGeodetic, 24, 0), 1.0 / 1024);
   EXPECT_EQ(latticeStep(kMercator, 24, 1e-9), 1.0 / 1024);
 }
 

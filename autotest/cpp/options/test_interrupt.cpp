@@ -15,24 +15,33 @@ namespace {
 
 constexpr int kAsked = 40; ///< the child's exit code where it was asked to stop and lived on
 
-/// Installs the handlers, raises a signal `times` and exits with kAsked where a stop is requested.
-[[noreturn]] void raiseAndExit(int signal, int times) {
+/// Installs the handlers, raises a signal `times`, with some seconds between, and exits with kAsked
+/// where a stop is requested.
+[[noreturn]] void raiseAndExit(int signal, int times, unsigned pause = 0) {
   installSignalHandlers();
   if (stopRequested())
     _exit(1);
-  for (int i = 0; i < times; ++i)
+  for (int i = 0; i < times; ++i) {
+    if (i > 0)
+      sleep(pause);
     raise(signal);
+  }
   _exit(stopRequested() ? kAsked : 0);
 }
 
 TEST(InterruptDeathTest, TheFirstSignalAsks) {
   EXPECT_EXIT(raiseAndExit(SIGINT, 1), testing::ExitedWithCode(kAsked), "");
   EXPECT_EXIT(raiseAndExit(SIGTERM, 1), testing::ExitedWithCode(kAsked), "");
+  EXPECT_EXIT(raiseAndExit(SIGHUP, 1), testing::ExitedWithCode(kAsked), "");
 }
 
-TEST(InterruptDeathTest, TheSecondEndsAtOnce) {
-  EXPECT_EXIT(raiseAndExit(SIGINT, 2), testing::ExitedWithCode(3), "");
-  EXPECT_EXIT(raiseAndExit(SIGTERM, 2), testing::ExitedWithCode(3), "");
+// timeout(1) signals the process and its group.
+TEST(InterruptDeathTest, TwiceAtOnceIsOne) {
+  EXPECT_EXIT(raiseAndExit(SIGTERM, 2), testing::ExitedWithCode(kAsked), "");
+}
+
+TEST(InterruptDeathTest, ALaterOneEndsAtOnce) {
+  EXPECT_EXIT(raiseAndExit(SIGINT, 2, 3), testing::ExitedWithCode(3), "");
 }
 
 TEST(InterruptDeathTest, AClosedPipeIsAFailedWrite) {
