@@ -26,7 +26,8 @@ Status makeHorizontal(OGRSpatialReference& srs, const std::string& path);
 /// True where longitude and latitude of `srs` are those of WGS 84: no PROJ needed.
 bool isLonLatWgs84(const OGRSpatialReference& srs);
 
-/// A full turn of longitude in the units of `srs` (360 for degrees); 0 where it is projected.
+/// A full turn of longitude in the units of `srs`: 360 for degrees, the width of the world in a
+/// cylindrical projection, 0 in one where x does not go round.
 double fullTurn(const OGRSpatialReference& srs);
 
 /// Moves single points between two systems. PROJ may choose between several operations, by the

@@ -13,7 +13,7 @@ struct PixelFrame {
   std::array<double, 6> fromWorld{0, 1, 0, 0, 0, 1}; ///< its inverse
   double width = 0;                                  ///< pixels; whole but in a reduced frame
   double height = 0;
-  double turn = 0;    ///< a full turn of x (360 degrees); 0 where x does not go round
+  double turn = 0;    ///< a full turn of x, see fullTurn(); 0 where x does not go round
   double centreX = 0; ///< x of the middle of the raster
   int period = 0;     ///< columns of a full turn where the raster covers one, else 0
 

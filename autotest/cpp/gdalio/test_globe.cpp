@@ -188,5 +188,28 @@ TEST(PixelFrame, UnwrapsToTheRastersMiddle) {
   EXPECT_FALSE(frame.set({0, 1, 1, 0, 1, 1}, 10, 10, 0)) << "no area";
 }
 
+// East of 180 degrees a cylindrical raster goes on beyond the world's width; PROJ knows only the
+// place on its west side.
+TEST(Globe, CylindricalRastersCrossTheAntimeridian) {
+  constexpr double kHalf = 20037508.342789244;
+  for (const char* srs : {"EPSG:3857", "EPSG:3395", "EPSG:4087"}) {
+    SCOPED_TRACE(srs);
+    MadeRaster made;
+    made.width = made.height = 200;
+    made.srs = srs;
+    made.geoTransform = {kHalf - 1e6, 1e4, 0, 1e6, 0, -1e4};
+    made.value = [](int c, int r) { return 1000 + 3 * c + 2 * r; };
+    const FactoryPtr factory = openSource(optionsFor(write(made)));
+    ASSERT_TRUE(factory);
+    const NodeLattice lattice = geodetic(6, 64);
+    for (const double lon : {-175.0, -179.0, 180.0, 179.0, 175.0}) {
+      const auto [i, j] = nodeAt(lattice, lon, 0);
+      const double x = lattice.longitude(i) / 180 * kHalf;
+      const double column = ((x < 0 ? x + 2 * kHalf : x) - (kHalf - 1e6)) / 1e4 - 0.5;
+      EXPECT_NEAR(sampleNode(*factory, lattice, i, j), 1000 + 3 * column + 2 * 99.5, 0.01) << lon;
+    }
+  }
+}
+
 } // namespace
 } // namespace qmesh
