@@ -20,10 +20,9 @@ enum class Pass { whole, up, down };
 
 /// What the blocks of a run share. Plans and options are const; the rest guards itself.
 struct BuildShared {
-  BuildShared(const BuildOptions& theOptions, const PyramidPlan& thePlan,
-              const NodeSourceFactory& theSource, TileSink& theSink)
-      : options(theOptions), plan(thePlan), source(theSource), sink(theSink),
-        levels(thePlan.levels.size()) {}
+  BuildShared(const TilesetInput& input, TileSink& theSink)
+      : options(input.options), plan(input.plan), source(input.source), sink(theSink),
+        levels(input.plan.levels.size()) {}
 
   const BuildOptions& options;
   const PyramidPlan& plan;

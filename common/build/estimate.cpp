@@ -37,21 +37,20 @@ std::uint64_t spread(std::uint64_t k, std::uint64_t count) {
 }
 
 /// One tile of a zoom, sampled at that zoom, made and thrown away.
-Status tryTile(const BuildOptions& options, const PyramidPlan& plan,
-               const NodeSourceFactory& source, NodeSource& nodes, TileId id, TileJob& job,
+Status tryTile(const TilesetInput& input, NodeSource& nodes, TileId id, TileJob& job,
                std::uint64_t& bytes) {
   NodeWindow window;
-  window.reset(plan.lattice(id.z), {id.x, id.y, id.x, id.y}, kTileHalo);
+  window.reset(input.plan.lattice(id.z), {id.x, id.y, id.x, id.y}, kTileHalo);
   const int first = window.firstExistingRow();
   QMESH_RETURN_IF_ERROR(nodes.sample(window.column0(), window.row0() + first, window.width(),
                                      window.endExistingRow() - first, window.row(first),
                                      window.stride()));
-  window.setPoles(source.poleHeight(false), source.poleHeight(true));
-  fillVoids(window, float(options.voidValue));
+  window.setPoles(input.source.poleHeight(false), input.source.poleHeight(true));
+  fillVoids(window, float(input.options.voidValue));
   TileResult result;
   StepSeconds seconds{};
   QMESH_RETURN_IF_ERROR(
-      job.run(window.tile(id), plan.levels[std::size_t(id.z)], {}, result, seconds));
+      job.run(window.tile(id), input.plan.levels[std::size_t(id.z)], {}, result, seconds));
   bytes += result.bytes.size();
   return {};
 }
@@ -62,17 +61,17 @@ std::uint64_t Estimate::totalBytes() const {
   return std::accumulate(bytes.begin(), bytes.end(), std::uint64_t(0));
 }
 
-Result<Estimate> estimateRun(const BuildOptions& options, const PyramidPlan& plan,
-                             const BlockPlan& blocks, const NodeSourceFactory& source) {
+Result<Estimate> estimateRun(const TilesetInput& input, const BlockPlan& blocks) {
+  const PyramidPlan& plan = input.plan;
   Estimate estimate;
   estimate.bytes.resize(plan.levels.size());
-  TileJob job(options);
+  TileJob job(input.options);
   double bytesPerTile = 0;
   double secondsPerTile = 0;
   for (int zoom = plan.maxZoom; zoom >= plan.minZoom; --zoom) {
     const std::uint64_t count = plan.tiles.count(zoom);
     if (zoom > plan.maxZoom - kZoomsTried) {
-      auto nodes = source.open(plan.lattice(zoom));
+      auto nodes = input.source.open(plan.lattice(zoom));
       if (!nodes.ok())
         return nodes.status();
       const auto ranges = plan.tiles.ranges(zoom);
@@ -81,7 +80,7 @@ Result<Estimate> estimateRun(const BuildOptions& options, const PyramidPlan& pla
       Stopwatch watch;
       for (std::uint64_t k = 0; k < tries; ++k) {
         const TileId id = nthTile(ranges, zoom, spread(k, count));
-        QMESH_RETURN_IF_ERROR(tryTile(options, plan, source, **nodes, id, job, bytes));
+        QMESH_RETURN_IF_ERROR(tryTile(input, **nodes, id, job, bytes));
       }
       bytesPerTile = double(bytes) / double(tries);
       secondsPerTile = watch.lap() / double(tries);

@@ -20,7 +20,6 @@ struct Estimate {
 /// Estimates by making a few tiles of the finest zooms, spread over the data, without writing
 /// them; coarser zooms count like the coarsest one tried. Half or twice the truth is to be expected
 /// where the terrain differs from place to place.
-Result<Estimate> estimateRun(const BuildOptions& options, const PyramidPlan& plan,
-                             const BlockPlan& blocks, const NodeSourceFactory& source);
+Result<Estimate> estimateRun(const TilesetInput& input, const BlockPlan& blocks);
 
 } // namespace qmesh

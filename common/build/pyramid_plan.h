@@ -31,6 +31,13 @@ struct PyramidPlan {
   std::uint64_t tileCount() const;
 };
 
+/// All that decides what the tiles are; const while a run goes on.
+struct TilesetInput {
+  const BuildOptions& options;
+  const PyramidPlan& plan;
+  const NodeSourceFactory& source;
+};
+
 /// Plans the pyramid. Tiles are those whose square meets the data's extent at the maximum zoom
 /// (within --min-x..--max-y), their ancestors, and at level 0 every root. Code::usage where the
 /// zooms or a SPEC make no sense, Code::input where no tile is left.

@@ -217,11 +217,9 @@ Result<BuildReport> buildAndCommit(BuildShared& shared, const BlockPlan& blocks,
 
 } // namespace
 
-Result<BuildReport> buildTileset(const BuildOptions& options, const PyramidPlan& plan,
-                                 const BlockPlan& blocks, const NodeSourceFactory& source,
-                                 TileSink& sink, const std::vector<SideFile>& sideFiles,
-                                 const Progress& progress) {
-  BuildShared shared(options, plan, source, sink);
+Result<BuildReport> buildTileset(const TilesetInput& input, const BlockPlan& blocks, TileSink& sink,
+                                 const std::vector<SideFile>& sideFiles, const Progress& progress) {
+  BuildShared shared(input, sink);
   auto report = buildAndCommit(shared, blocks, sideFiles, progress);
   if (!report.ok())
     sink.abandon();

@@ -21,9 +21,7 @@ using SideFile = std::pair<std::string, std::string>;
 /// with its layer.json. Any error, or `progress` returning false (Code::interrupted), abandons the
 /// sink: nothing of the run is left and what was there before still is. The files are the same
 /// whatever the block plan says.
-Result<BuildReport> buildTileset(const BuildOptions& options, const PyramidPlan& plan,
-                                 const BlockPlan& blocks, const NodeSourceFactory& source,
-                                 TileSink& sink, const std::vector<SideFile>& sideFiles,
-                                 const Progress& progress);
+Result<BuildReport> buildTileset(const TilesetInput& input, const BlockPlan& blocks, TileSink& sink,
+                                 const std::vector<SideFile>& sideFiles, const Progress& progress);
 
 } // namespace qmesh

@@ -70,7 +70,7 @@ std::vector<SideFile> sideFiles(const BuildOptions& options) {
 
 Status dryRun(const BuildOptions& options, const PyramidPlan& plan, const BlockPlan& blocks,
               const NodeSourceFactory& source, Console& console) {
-  const auto estimate = estimateRun(options, plan, blocks, source);
+  const auto estimate = estimateRun({options, plan, source}, blocks);
   if (!estimate.ok())
     return estimate.status();
   std::fputs(estimateTable(plan, blocks, *estimate).c_str(), stdout);
@@ -87,7 +87,7 @@ Status build(const BuildOptions& options, const PyramidPlan& plan, const BlockPl
     return sink.status();
   console.message(startLine(options, plan, blocks));
   const auto report =
-      buildTileset(options, plan, blocks, source, **sink, sideFiles(options), [&](double done) {
+      buildTileset({options, plan, source}, blocks, **sink, sideFiles(options), [&](double done) {
         console.progress(done);
         return !stopRequested();
       });

@@ -140,7 +140,7 @@ inline BuildReport build(const BuildOptions& options, const Source& source, Sink
   EXPECT_TRUE(blocks.ok()) << blocks.status().message();
   if (change)
     change(*blocks);
-  auto report = buildTileset(options, *plan, *blocks, source, sink, {}, {});
+  auto report = buildTileset({options, *plan, source}, *blocks, sink, {}, {});
   EXPECT_TRUE(report.ok()) << report.status().message();
   return *report;
 }

@@ -167,13 +167,14 @@ TEST(Tileset, InterruptAndFailureAbandonTheSink) {
   const auto blocks = planBlocks(options, *plan, source.bytesPerSource(), 2);
   Sink failing;
   failing.failAfter = 5;
-  auto report = buildTileset(options, *plan, *blocks, source, failing, {}, {});
+  auto report = buildTileset({options, *plan, source}, *blocks, failing, {}, {});
   EXPECT_EQ(report.status().code(), Code::output);
   EXPECT_TRUE(failing.abandoned);
   EXPECT_FALSE(failing.committed);
 
   Sink stopped;
-  report = buildTileset(options, *plan, *blocks, source, stopped, {}, [](double) { return false; });
+  report =
+      buildTileset({options, *plan, source}, *blocks, stopped, {}, [](double) { return false; });
   EXPECT_EQ(report.status().code(), Code::interrupted);
   EXPECT_TRUE(stopped.abandoned);
   EXPECT_FALSE(stopped.committed);
@@ -188,7 +189,7 @@ TEST(Tileset, ProgressNeverGoesBack) {
     const auto blocks = planBlocks(options, *plan, source.bytesPerSource(), 2);
     Sink sink;
     double last = 0;
-    const auto report = buildTileset(options, *plan, *blocks, source, sink, {}, [&](double done) {
+    const auto report = buildTileset({options, *plan, source}, *blocks, sink, {}, [&](double done) {
       EXPECT_GE(done, last);
       EXPECT_LE(done, 1);
       last = done;
