@@ -263,7 +263,7 @@ def test_voids_are_interpolated(tmp_path):
     ground = dems.hills(120, 120, 500, 600)
     ground[40:80, 30:90] = -9999
     path = dems.write(tmp_path / "a.tif", ground, nodata=-9999)
-    tiles, _ = build(path, tmp_path / "a", "--void-fill", "interpolate", "--max-error", "0.25")
+    tiles, _ = build(path, tmp_path / "a", "--void-fill", "interpolate", "--max-error", "0.3")
     check(tiles)
     nodes = oracle(tiles, path)
     top = max(tiles.levels())
@@ -273,7 +273,7 @@ def test_voids_are_interpolated(tmp_path):
         v = tiles.scheme.node_v(top, name[2], 256)
         surface = tin.evaluate(tiles.tile(*name), u, v)
         height, _, _, void = nodes.tile(*name)
-        assert np.abs(surface - height)[~void].max(initial=0) <= 0.25 + 1e-3
+        assert np.abs(surface - height)[~void].max(initial=0) <= 0.3 + 1e-3
         i = (name[1] * 256 + np.arange(257) - level.i0)[None, :] + 0 * void
         j = (name[2] * 256 + np.arange(257) - level.j0)[:, None] + 0 * void
         rows, columns = level.height.shape

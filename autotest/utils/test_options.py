@@ -77,7 +77,7 @@ def test_zooms(tmp_path, dem, options, zooms):
     assert sorted({z for z, _, _ in tiles.on_disk()}) == list(zooms)
     assert tiles.available() == tiles.on_disk()
     assert (tiles.layer["minzoom"], tiles.layer["maxzoom"]) == (min(zooms), max(zooms))
-    assert ("warning" in run.err.lower() and "level 0" in run.err.lower()) == (min(zooms) > 0)
+    assert ("warning" in run.err.lower() and "zoom 0" in run.err.lower()) == (min(zooms) > 0)
     promises.none(promises.valid(tiles) + promises.seamless(tiles)[0])
 
 
@@ -133,7 +133,7 @@ def test_cutline(tmp_path, dem):
             distance = np.minimum(distance, side)
         height, _, _, _ = nodes.tile(*name)
         inside, outside = distance > 1e-9, distance < -1e-9
-        assert np.abs(surface - height)[inside].max(initial=0) < 0.2
+        assert np.abs(surface - height)[inside].max(initial=0) < 0.3  # border heights: to half a metre
         assert np.abs(surface + 100)[outside].max(initial=0) < 0.2
         counts[0] += inside.sum()
         counts[1] += outside.sum()
@@ -214,6 +214,18 @@ def test_max_error_zero_ends_and_says_why(tmp_path, dem):
         assert np.abs(surface - height).max() < 0.02 + 2 * rounding
     for level in json.loads(report.read_text())["zooms"]:
         assert (level["errorReached"] > 0) == (level["quantizationTiles"] > 0)
+
+
+@pytest.mark.parametrize("max_error", ["0", "0.001", "0.1"])
+def test_a_small_max_error_opens_no_seam(tmp_path, dem, max_error):
+    """P1 before P2: where the format cannot hold the max error, neighbours still agree."""
+    report = tmp_path / "report.json"
+    tiles = build(dem("jacksboro"), tmp_path / "a", "--max-error", max_error, "--tilesize", "64",
+                  "--report", report)
+    faults, seams = promises.seamless(tiles)
+    promises.none(faults)
+    assert seams > 20
+    assert json.loads(report.read_text())["total"]["coarseTiles"] == 0
 
 
 def test_decimation_saves_triangles_within_the_same_error(tmp_path, dem):
