@@ -127,8 +127,8 @@ Status readAvailable(const Json& doc, LayerJson& layer) {
   return {};
 }
 
-void readBounds(const Json& doc, GeoBox& box) {
-  const Json& list = member(doc, "bounds");
+void readBox(const Json& doc, const char* key, GeoBox& box) {
+  const Json& list = member(doc, key);
   if (!list.is_array() || list.size() != 4)
     return;
   double values[4];
@@ -148,6 +148,7 @@ void readRecord(const Json& doc, LayerJson& layer) {
   layer.generator = textOf(record, "generator");
   layer.method = textOf(record, "method");
   layer.cellsPerTile = integerOf(record, "cellsPerTile", 1024, 0);
+  readBox(record, "extent", layer.extent);
   const Json& levels = member(record, "levels");
   if (!levels.is_array())
     return;
@@ -200,7 +201,7 @@ Result<LayerJson> readLayerJson(const std::string& text) {
   layer.minZoom = integerOf(doc, "minzoom", kMaxZoom, 0);
   layer.maxZoom = integerOf(doc, "maxzoom", kMaxZoom, deepestListed);
   layer.metadataAvailability = integerOf(doc, "metadataAvailability", kMaxZoom, 0);
-  readBounds(doc, layer.bounds);
+  readBox(doc, "bounds", layer.bounds);
   readRecord(doc, layer);
   return layer;
 }

@@ -69,6 +69,7 @@ std::string recordJson(const LayerJson& layer) {
   out.string("generator", layer.generator);
   out.string("method", layer.method);
   out.integer("cellsPerTile", layer.cellsPerTile);
+  out.raw("extent", boundsJson(layer.extent));
   out.raw("levels", levelsJson(layer.levels));
   return out.json();
 }

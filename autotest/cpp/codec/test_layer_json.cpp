@@ -25,6 +25,7 @@ LayerJson smallLayer() {
   layer.generator = "qmesh 0.1.0";
   layer.method = "greedy";
   layer.cellsPerTile = 256;
+  layer.extent = {170, -90, 190.5, 1e-7};
   layer.levels = {{0, 19266.8355, 0.1}, {1, 0.30000000000000004, 0}};
   return layer;
 }
@@ -57,6 +58,7 @@ const char* const kSmallText = R"({
     "generator": "qmesh 0.1.0",
     "method": "greedy",
     "cellsPerTile": 256,
+    "extent": [170, -90, 190.5, 1e-07],
     "levels": [
       {"zoom": 0, "maxError": 19266.8355, "errorReached": 0.1},
       {"zoom": 1, "maxError": 0.30000000000000004, "errorReached": 0}
@@ -87,6 +89,8 @@ void expectSame(const LayerJson& a, const LayerJson& b) {
   EXPECT_EQ(a.generator, b.generator);
   EXPECT_EQ(a.method, b.method);
   EXPECT_EQ(a.cellsPerTile, b.cellsPerTile);
+  EXPECT_EQ(a.extent.west, b.extent.west);
+  EXPECT_EQ(a.extent.east, b.extent.east);
   ASSERT_EQ(a.levels.size(), b.levels.size());
   for (std::size_t i = 0; i < a.levels.size(); ++i) {
     EXPECT_EQ(a.levels[i].zoom, b.levels[i].zoom);
