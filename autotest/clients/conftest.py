@@ -18,8 +18,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 for folder in (HERE, HERE.parent / "utils", HERE.parent / "tools"):
     sys.path.insert(0, str(folder))
 
-import dems as dem_table  # noqa: E402
-import harness  # noqa: E402
+from sessions import shared_dems, shared_sets  # noqa: E402
 
 
 @pytest.fixture(scope="session")
@@ -41,31 +40,10 @@ def node():
 @pytest.fixture(scope="session")
 def dem(tmp_path_factory):
     """A function name -> path of that DEM, made once; skips where a real DEM is not there."""
-    folder = tmp_path_factory.mktemp("dems")
-    made = {}
-
-    def get(name):
-        if name not in made:
-            made[name] = dem_table.DEMS[name](folder / f"{name}.tif")
-        if made[name] is None:
-            pytest.skip(f"no real DEM {name} in {harness.DATA}: set QMESH_TEST_DATA")
-        return made[name]
-
-    return get
+    return shared_dems(tmp_path_factory.mktemp("dems"))
 
 
 @pytest.fixture(scope="session")
 def tile_set(tmp_path_factory, dem):
     """A function (DEM name, options...) -> folder of the set, built once."""
-    folder = tmp_path_factory.mktemp("sets")
-    built = {}
-
-    def get(name, *options):
-        key = (name, *map(str, options))
-        if key not in built:
-            output = folder / f"{len(built)}-{name}"
-            harness.gdal2qmesh(*options, dem(name), output).succeeded()
-            built[key] = output
-        return built[key]
-
-    return get
+    return shared_sets(tmp_path_factory.mktemp("sets"), dem, pathlib.Path)

@@ -17,9 +17,9 @@ _HERE = pathlib.Path(__file__).resolve().parent
 for folder in (_HERE, _HERE.parent, _HERE.parent / "tools"):
     sys.path.insert(0, str(folder))
 
-import dems as dem_table  # noqa: E402
 import harness  # noqa: E402
 from oracle.tileset import TileSet  # noqa: E402
+from sessions import shared_dems, shared_sets  # noqa: E402
 
 _skipped_data = []
 
@@ -32,35 +32,13 @@ def pytest_configure():
 @pytest.fixture(scope="session")
 def dem(tmp_path_factory):
     """A function name -> path of that DEM, made once; skips where a real DEM is not there."""
-    folder = tmp_path_factory.mktemp("dems")
-    made = {}
-
-    def get(name):
-        if name not in made:
-            made[name] = dem_table.DEMS[name](folder / f"{name}.tif")
-        if made[name] is None:
-            _skipped_data.append(name)
-            pytest.skip(f"no real DEM {name}: set QMESH_TEST_DATA to the folder that holds it")
-        return made[name]
-
-    return get
+    return shared_dems(tmp_path_factory.mktemp("dems"), _skipped_data)
 
 
 @pytest.fixture(scope="session")
 def tile_set(tmp_path_factory, dem):
     """A function (DEM name, options...) -> TileSet, built once per session."""
-    folder = tmp_path_factory.mktemp("sets")
-    built = {}
-
-    def get(name, *options):
-        key = (name, *map(str, options))
-        if key not in built:
-            output = folder / f"{len(built)}-{name}"
-            harness.gdal2qmesh(*options, dem(name), output).succeeded()
-            built[key] = TileSet(output)
-        return built[key]
-
-    return get
+    return shared_sets(tmp_path_factory.mktemp("sets"), dem, TileSet)
 
 
 def pytest_terminal_summary(terminalreporter):

@@ -10,9 +10,4 @@ namespace qmesh {
 /// the thread that started the work only.
 using Progress = std::function<bool(double done)>;
 
-/// The slice first..last (0..1) of a parent's progress, for a step of a larger work.
-inline Progress subProgress(const Progress& parent, double first, double last) {
-  return [=](double done) { return !parent || parent(first + (last - first) * done); };
-}
-
-}  // namespace qmesh
+} // namespace qmesh
