@@ -103,13 +103,19 @@ Prepared prepare(const HeightTile& tile, double maxError) {
   return prepared;
 }
 
+std::unique_ptr<Simplifier> makeGreedy(bool decimate) {
+  MethodOptions options;
+  options.decimate = decimate;
+  return findSimplifier("greedy")->create(options);
+}
+
 /// Per tile of the ground, with the tolerance that gives about `triangles` without decimation.
 const std::vector<Prepared>& calibrated(int triangles) {
   static std::map<int, std::vector<Prepared>> known;
   std::vector<Prepared>& all = known[triangles];
   if (!all.empty())
     return all;
-  const auto greedy = findSimplifier("greedy")->create({false});
+  const auto greedy = makeGreedy(false);
   Tin tin;
   for (const HeightTile& tile : ground().tiles()) {
     double low = 0.05, high = 2000;
@@ -126,7 +132,7 @@ const std::vector<Prepared>& calibrated(int triangles) {
 
 void simplify(benchmark::State& state, bool decimate) {
   const std::vector<Prepared>& all = calibrated(int(state.range(0)));
-  const auto greedy = findSimplifier("greedy")->create({decimate});
+  const auto greedy = makeGreedy(decimate);
   Tin tin;
   std::size_t triangles = 0, vertices = 0, tiles = 0;
   for (auto _ : state) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -18,7 +19,17 @@ enum Edge { kWest = 0, kSouth = 1, kEast = 2, kNorth = 3 };
 /// The vertices of a tile's four edges: quantized places 0..32767 along each edge, ascending (from
 /// the south-west), both corners included. A vertex stands for the node nearest to it and has its
 /// height; where one place is not enough a node has two, on both sides of its real position.
-using Border = std::array<std::vector<std::uint16_t>, 4>;
+struct Border {
+  std::array<std::vector<std::uint16_t>, 4> places;
+  /// Edges a method may still add nodes to, at the frame's positions (--border inherit, where no
+  /// neighbour was built before); all others are final.
+  std::array<bool, 4> isFree{};
+
+  std::vector<std::uint16_t>& operator[](Edge edge) { return places[std::size_t(edge)]; }
+  const std::vector<std::uint16_t>& operator[](Edge edge) const {
+    return places[std::size_t(edge)];
+  }
+};
 
 /// The border contract (promise P1): the vertices of an edge are a pure function of that edge's
 /// nodes and the level, so both its tiles find the same. Top-down insertion of the worst node

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "options/level_spec.h"
+#include "options/validate.h"
 
 namespace qmesh {
 
@@ -37,21 +38,10 @@ Status chooseZooms(const BuildOptions& options, const NodeSourceFactory& source,
 /// which clients stretch when one goes closer, takes half.
 Status chooseLevels(const BuildOptions& options, PyramidPlan& plan) {
   const bool fromScreen = options.maxError.empty();
+  QMESH_RETURN_IF_ERROR(checkSpecs(options, plan.minZoom, plan.maxZoom));
   const auto spec = LevelSpec::parse(fromScreen ? options.screenError : options.maxError);
-  if (!spec.ok()) {
-    return {Code::usage, std::string(fromScreen ? "--screen-error: " : "--max-error: ") +
-                             spec.status().message()};
-  }
   for (int zoom = 0; zoom <= plan.maxZoom; ++zoom) {
-    double value = 0;
-    if (zoom >= plan.minZoom) {
-      const auto at = spec->at(zoom);
-      if (!at.ok()) {
-        return {Code::usage, std::string(fromScreen ? "--screen-error: " : "--max-error: ") +
-                                 at.status().message()};
-      }
-      value = *at;
-    }
+    double value = zoom >= plan.minZoom ? *spec->at(zoom) : 0;
     if (fromScreen) {
       value *= plan.scheme.geometricError(zoom) / 2;
       if (zoom == plan.maxZoom)

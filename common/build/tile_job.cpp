@@ -53,7 +53,7 @@ LevelStats statsOf(const Tin& tin, const TileFrame& frame) {
 } // namespace
 
 TileJob::TileJob(const BuildOptions& options)
-    : simplifier_(findSimplifier(options.method)->create(MethodOptions{options.decimate})),
+    : simplifier_(findSimplifier(options.method)->create(options)),
       normals_(options.normals), compress_(options.compression == Compression::gzip) {}
 
 void TileJob::fillHeader(const GeoBox& box) {
@@ -94,8 +94,7 @@ Status TileJob::run(const HeightTile& tile, const LevelParams& level, const std:
                     TileResult& result, StepSeconds& seconds) {
   Stopwatch watch;
   frame_.reset(tile, level);
-  if (!simplifier_->usesAllNodes())
-    makeBorder(tile, frame_, level, border_);
+  simplifier_->makeBorder(tile, frame_, level, border_);
   QMESH_RETURN_IF_ERROR(simplifier_->simplify(tile, frame_, border_, level, tin_));
   seconds[int(Step::mesh)] += watch.lap();
 

@@ -26,6 +26,7 @@ using TinTriangle = std::array<std::uint32_t, 3>;
 enum class StopReason {
   maxError,     ///< every node is within the level's max error
   allNodes,     ///< every node is a vertex
+  parameter,    ///< the method's own parameter is reached: a count, a share, a threshold
   quantization, ///< rounding to the tile's frame alone exceeds the max error
 };
 

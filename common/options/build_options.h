@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "options/choices.h"
+#include "options/method_options.h"
 
 namespace qmesh {
 
@@ -16,9 +16,9 @@ namespace qmesh {
 inline constexpr int kDeepestZoom = 24;
 
 /// Everything a user can say about a run. Defaults are the initialisers; the rows of
-/// options/option_table.cpp name each field once and feed the command line, the help, the JSON and
+/// options/option_rows.cpp name each field once and feed the command line, the help, the JSON and
 /// the reference pages.
-struct BuildOptions {
+struct BuildOptions : MethodOptions {
   std::string input;
   std::string output; ///< empty: the input's base name in the current folder
 
@@ -48,11 +48,7 @@ struct BuildOptions {
   int tileSize = 256;                                 ///< cells per edge
   bool excludeVoid = false;                           ///< -x
 
-  // Meshes
-  std::string method = "greedy";
-  std::string maxError;            ///< SPEC; empty: from screenError
-  std::string screenError = "0.5"; ///< SPEC, pixels
-  bool decimate = true;
+  // What a tile holds beside its triangles
   bool normals = true;
   int metadata = 0; ///< 0: no metadata extension
 

@@ -13,6 +13,11 @@ enum class Compression { gzip, none };
 enum class Preview { none, cesium, all };
 enum class VoidFill { value, interpolate };
 enum class Switch { off, on };
+enum class BorderMode { shared, inherit };
+enum class Schedule { fourColour, rowwise, columnwise, chessboard, fourConnected };
+enum class ErrorType { height, distance3d };
+enum class CollapseCost { lindstromTurk, garlandHeckbert };
+enum class CollapseSpace { scaled, metric };
 
 template <> struct EnumTable<ProfileChoice> {
   static constexpr EnumRow<ProfileChoice> kRows[] = {
@@ -70,6 +75,45 @@ template <> struct EnumTable<Switch> {
       {Switch::on, "yes"},         {Switch::off, "no"},
       {Switch::on, "true"},        {Switch::off, "false"},
       {Switch::on, "1"},           {Switch::off, "0"},
+  };
+};
+
+template <> struct EnumTable<BorderMode> {
+  static constexpr EnumRow<BorderMode> kRows[] = {
+      {BorderMode::shared, "shared", "an edge is a function of its own nodes; in any order"},
+      {BorderMode::inherit, "inherit", "a tile takes the edges of neighbours already built"},
+  };
+};
+
+template <> struct EnumTable<Schedule> {
+  static constexpr EnumRow<Schedule> kRows[] = {
+      {Schedule::fourColour, "four-colour", "tiles of one colour never touch"},
+      {Schedule::rowwise, "rowwise", "row by row from the south"},
+      {Schedule::columnwise, "columnwise", "column by column from the west"},
+      {Schedule::chessboard, "chessboard", "the black squares, then the white ones"},
+      {Schedule::fourConnected, "4connected", "tiles with the most edges already built first"},
+      {Schedule::fourColour, "four-color"},
+  };
+};
+
+template <> struct EnumTable<ErrorType> {
+  static constexpr EnumRow<ErrorType> kRows[] = {
+      {ErrorType::height, "height", "vertical"},
+      {ErrorType::distance3d, "3d", "across the triangle's plane, smaller on slopes"},
+  };
+};
+
+template <> struct EnumTable<CollapseCost> {
+  static constexpr EnumRow<CollapseCost> kRows[] = {
+      {CollapseCost::lindstromTurk, "lindstrom-turk", "keeps volume, boundary and shape"},
+      {CollapseCost::garlandHeckbert, "garland-heckbert", "quadrics of the planes around"},
+  };
+};
+
+template <> struct EnumTable<CollapseSpace> {
+  static constexpr EnumRow<CollapseSpace> kRows[] = {
+      {CollapseSpace::scaled, "scaled", "the tile as a unit cube"},
+      {CollapseSpace::metric, "metric", "metres around the tile's centre"},
   };
 };
 

@@ -66,16 +66,6 @@ std::string heading(const OptionRow& row) {
   return row.placeholder.empty() ? text : text + " " + row.placeholder;
 }
 
-/// "1 to 5 m", "1 or more", "m", or nothing. Choices say more than a range.
-std::string rangeText(const OptionRow& row) {
-  std::string text;
-  if (row.choices.empty() && row.minimum) {
-    text = formatNumber(*row.minimum);
-    text += row.maximum ? " to " + formatNumber(*row.maximum) : " or more";
-  }
-  return text.empty() || row.unit.empty() ? text + row.unit : text + " " + row.unit;
-}
-
 /// "[0 to 24; default: 0]" and the like, or nothing.
 std::string facts(const OptionRow& row) {
   std::vector<std::string> facts;
@@ -85,7 +75,7 @@ std::string facts(const OptionRow& row) {
       bareChoices.push_back(choice.name);
   if (!bareChoices.empty())
     facts.push_back(join(bareChoices, ", "));
-  if (const std::string range = rangeText(row); !range.empty())
+  if (const std::string range = row.rangeText(); !range.empty())
     facts.push_back(range);
   const std::string value = row.defaultText();
   if (!value.empty() && value != enumName(Switch::off))

@@ -101,6 +101,8 @@ struct OptionRow {
 
   /// The default as text: the field of default-constructed options.
   std::string defaultText() const { return get(BuildOptions()); }
+  /// "1 to 5 m", "1 or more", "m", or nothing. Choices say more than a range.
+  std::string rangeText() const;
   /// The name of a GDAL creation option: MAX_ERROR for max-error.
   std::string creationOption() const;
 };

@@ -2,6 +2,7 @@
 // Copyright (c) 2026 the qmesh authors
 #include "options/option_rows.h"
 
+#include "options/method_rows.h"
 #include "options/row_builder.h"
 #include "options/value_grammars.h"
 
@@ -175,29 +176,8 @@ Rows nodeRows() {
   };
 }
 
-Rows meshRows(const std::vector<Choice>& methods) {
+Rows meshRows() {
   return {
-      RowBuilder(Group::meshes, "method")
-          .value("METHOD")
-          .choice(&Options::method, methods)
-          .help("How triangles are chosen."),
-      RowBuilder(Group::meshes, "max-error")
-          .value("SPEC")
-          .unit("m")
-          .spec(&Options::maxError)
-          .whenUnset("as --screen-error says")
-          .help("The largest height difference between the mesh and the heights of its zoom."),
-      RowBuilder(Group::meshes, "screen-error")
-          .value("SPEC")
-          .unit("px")
-          .spec(&Options::screenError)
-          .help("The largest error where CesiumJS shows a zoom, in pixels of the screen; the last "
-                "zoom takes half of it. --max-error overrides it."),
-      RowBuilder(Group::meshes, "decimate")
-          .value("on|off")
-          .onOff(&Options::decimate)
-          .help("Afterwards remove the vertices the error does not need: two fifths fewer "
-                "triangles for half as much more time."),
       RowBuilder(Group::meshes, "normals").flag(&Options::normals).help("Normals for lit terrain."),
       RowBuilder(Group::meshes, "metadata")
           .value("N")
@@ -308,7 +288,7 @@ Rows informationRows() {
 std::vector<OptionRow> optionRows(const std::vector<Choice>& methods) {
   Rows all;
   for (const Rows& rows : {argumentRows(), inputRows(), heightRows(), pyramidRows(), nodeRows(),
-                           meshRows(methods), outputRows(), runningRows(), informationRows()})
+                           methodRows(methods), meshRows(), outputRows(), runningRows(), informationRows()})
     all.insert(all.end(), rows.begin(), rows.end());
   return all;
 }

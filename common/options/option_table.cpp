@@ -49,6 +49,15 @@ std::string OptionRow::creationOption() const {
   return text;
 }
 
+std::string OptionRow::rangeText() const {
+  std::string text;
+  if (choices.empty() && minimum) {
+    text = formatNumber(*minimum);
+    text += maximum ? " to " + formatNumber(*maximum) : " or more";
+  }
+  return text.empty() || unit.empty() ? text + unit : text + " " + unit;
+}
+
 OptionTable::OptionTable(const std::vector<Choice>& methods) : rows_(optionRows(methods)) {}
 
 const OptionRow* OptionTable::byName(std::string_view name) const {

@@ -181,6 +181,13 @@ RowBuilder& RowBuilder::spec(std::string BuildOptions::*field) {
       [=](const BuildOptions& options) { return options.*field; });
 }
 
+RowBuilder& RowBuilder::spec(std::string BuildOptions::*field, double minimum, double maximum) {
+  row_.minimum = minimum;
+  if (maximum < std::numeric_limits<double>::infinity())
+    row_.maximum = maximum;
+  return spec(field);
+}
+
 RowBuilder& RowBuilder::choice(std::string BuildOptions::*field, std::vector<Choice> choices) {
   row_.choices = std::move(choices);
   return custom(

@@ -41,6 +41,8 @@ class RowBuilder {
   RowBuilder& text(std::string BuildOptions::*field, OptionType type, bool mayBeEmpty = false);
   /// A number per zoom (LevelSpec), kept as text.
   RowBuilder& spec(std::string BuildOptions::*field);
+  /// The same with the range its values must lie in at every zoom of a run (checkSpecs()).
+  RowBuilder& spec(std::string BuildOptions::*field, double minimum, double maximum);
   /// One of the names.
   RowBuilder& choice(std::string BuildOptions::*field, std::vector<Choice> choices);
   /// Adds a text at each use.
@@ -54,18 +56,18 @@ class RowBuilder {
   RowBuilder& commandLineOnly();
 
   /// A whole number in a range, any int by default; Field is int, std::int64_t or an optional of
-  /// one.
-  template <class Field>
-  RowBuilder& integer(Field BuildOptions::*field, std::int64_t minimum,
+  /// one. Owner is BuildOptions or a base of it, here and below.
+  template <class Field, class Owner>
+  RowBuilder& integer(Field Owner::*field, std::int64_t minimum,
                       std::int64_t maximum = std::numeric_limits<int>::max());
 
   /// A number in a range; Field is double or an optional of it.
-  template <class Field>
-  RowBuilder& number(Field BuildOptions::*field, double minimum, double maximum);
+  template <class Field, class Owner>
+  RowBuilder& number(Field Owner::*field, double minimum, double maximum);
 
   /// One of the names of an enum.
-  template <class E, class = std::enable_if_t<std::is_enum_v<E>>>
-  RowBuilder& choice(E BuildOptions::*field);
+  template <class E, class Owner, class = std::enable_if_t<std::is_enum_v<E>>>
+  RowBuilder& choice(E Owner::*field);
 
  private:
   OptionRow row_;
@@ -94,9 +96,8 @@ template <class T> std::string fieldText(const std::optional<T>& value) {
   return value ? fieldText(*value) : std::string();
 }
 
-template <class Field>
-RowBuilder& RowBuilder::integer(Field BuildOptions::*field, std::int64_t minimum,
-                                std::int64_t maximum) {
+template <class Field, class Owner>
+RowBuilder& RowBuilder::integer(Field Owner::*field, std::int64_t minimum, std::int64_t maximum) {
   row_.minimum = static_cast<double>(minimum);
   if (maximum < std::numeric_limits<int>::max())
     row_.maximum = static_cast<double>(maximum);
@@ -115,8 +116,8 @@ RowBuilder& RowBuilder::integer(Field BuildOptions::*field, std::int64_t minimum
       [=](const BuildOptions& options) { return fieldText(options.*field); });
 }
 
-template <class Field>
-RowBuilder& RowBuilder::number(Field BuildOptions::*field, double minimum, double maximum) {
+template <class Field, class Owner>
+RowBuilder& RowBuilder::number(Field Owner::*field, double minimum, double maximum) {
   row_.minimum = minimum;
   row_.maximum = maximum;
   return custom(
@@ -131,7 +132,7 @@ RowBuilder& RowBuilder::number(Field BuildOptions::*field, double minimum, doubl
       [=](const BuildOptions& options) { return fieldText(options.*field); });
 }
 
-template <class E, class> RowBuilder& RowBuilder::choice(E BuildOptions::*field) {
+template <class E, class Owner, class> RowBuilder& RowBuilder::choice(E Owner::*field) {
   row_.choices = enumChoices<E>();
   const std::string names = namesOf(row_.choices);
   return custom(

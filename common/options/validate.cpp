@@ -4,6 +4,7 @@
 
 #include "base/text.h"
 #include "options/level_spec.h"
+#include "options/method_rows.h"
 
 namespace qmesh {
 
@@ -19,22 +20,34 @@ Status checkOrder(const std::optional<T>& low, const std::optional<T>& high, con
                                  "; exchange them or leave one out");
 }
 
-/// The levels known so far each have a value.
-Status checkSpec(const BuildOptions& options, const std::string& text, const char* name) {
+/// One SPEC has a value within its row's range at every zoom.
+Status checkSpec(const OptionRow& row, const std::string& text, int first, int last) {
+  const std::string name = "--" + row.name;
   const Result<LevelSpec> spec = LevelSpec::parse(text);
   if (!spec.ok())
-    return Status(spec.status().code(), std::string(name) + ": " + spec.status().message());
-  const int first = options.minZoom.value_or(0);
-  for (int zoom = first; zoom <= options.maxZoom.value_or(first); ++zoom) {
+    return Status(spec.status().code(), name + ": " + spec.status().message());
+  for (int zoom = first; zoom <= last; ++zoom) {
     const Result<double> value = spec->at(zoom);
     if (!value.ok())
-      return Status(value.status().code(),
-                    std::string(name) + " " + text + ": " + value.status().message());
+      return Status(value.status().code(), name + " " + text + ": " + value.status().message());
+    if (*value < row.minimum.value_or(0) || *value > row.maximum.value_or(*value))
+      return Status(Code::usage, name + " " + text + ": " + formatNumber(*value) + " at zoom " +
+                                     std::to_string(zoom) + " is not " + row.rangeText());
   }
   return {};
 }
 
 } // namespace
+
+Status checkSpecs(const BuildOptions& options, int first, int last) {
+  for (const OptionRow& row : methodRows({})) {
+    const std::string text = row.type == OptionType::spec ? row.get(options) : std::string();
+    const bool overridden = row.name == "screen-error" && !options.maxError.empty();
+    if (!text.empty() && !overridden)
+      QMESH_RETURN_IF_ERROR(checkSpec(row, text, first, last));
+  }
+  return {};
+}
 
 Status validate(const BuildOptions& options, std::vector<std::string>& warnings) {
   QMESH_RETURN_IF_ERROR(
@@ -42,10 +55,8 @@ Status validate(const BuildOptions& options, std::vector<std::string>& warnings)
   QMESH_RETURN_IF_ERROR(checkOrder(options.minX, options.maxX, "--min-x", "--max-x"));
   QMESH_RETURN_IF_ERROR(checkOrder(options.minY, options.maxY, "--min-y", "--max-y"));
   QMESH_RETURN_IF_ERROR(checkOrder(options.clipLow, options.clipHigh, "--clip-low", "--clip-high"));
-  if (!options.maxError.empty())
-    QMESH_RETURN_IF_ERROR(checkSpec(options, options.maxError, "--max-error"));
-  else
-    QMESH_RETURN_IF_ERROR(checkSpec(options, options.screenError, "--screen-error"));
+  const int first = options.minZoom.value_or(0);
+  QMESH_RETURN_IF_ERROR(checkSpecs(options, first, options.maxZoom.value_or(first)));
   if (!options.extentSrs.empty() && !options.extent)
     return Status(Code::usage, "--te-srs needs --te: the box it is the coordinate system of");
   if (!options.cesium.empty() && options.preview == Preview::none)

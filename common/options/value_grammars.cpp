@@ -2,6 +2,7 @@
 // Copyright (c) 2026 the qmesh authors
 #include "options/value_grammars.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -45,6 +46,21 @@ double takeMemoryUnit(std::string_view& text) {
   if (endsWith("B"))
     text = trimmed(text.substr(0, text.size() - 1));
   return 1;
+}
+
+/// The finite numbers of a list with blanks or commas between; empty where a piece is none.
+std::vector<double> finiteNumbers(std::string text) {
+  std::replace(text.begin(), text.end(), ',', ' ');
+  std::vector<double> numbers;
+  for (const std::string_view piece : split(text, ' ')) {
+    if (trimmed(piece).empty())
+      continue;
+    const std::optional<double> number = parseNumber(trimmed(piece));
+    if (!number || !std::isfinite(*number))
+      return {};
+    numbers.push_back(*number);
+  }
+  return numbers;
 }
 
 } // namespace
@@ -115,25 +131,12 @@ std::string threadsText(const BuildOptions& options) {
 }
 
 Status setExtent(BuildOptions& options, const std::string& text) {
-  std::string blanks = text;
-  for (char& c : blanks)
-    if (c == ',')
-      c = ' ';
-  std::array<double, 4> extent{};
-  std::size_t count = 0;
-  for (const std::string_view piece : split(blanks, ' ')) {
-    if (trimmed(piece).empty())
-      continue;
-    const std::optional<double> number = parseNumber(trimmed(piece));
-    if (!number || !std::isfinite(*number) || count == extent.size())
-      return expected("four numbers: XMIN YMIN XMAX YMAX");
-    extent[count++] = *number;
-  }
-  if (count != extent.size())
+  const std::vector<double> numbers = finiteNumbers(text);
+  if (numbers.size() != 4)
     return expected("four numbers: XMIN YMIN XMAX YMAX");
-  if (!(extent[0] < extent[2] && extent[1] < extent[3]))
+  if (!(numbers[0] < numbers[2] && numbers[1] < numbers[3]))
     return expected("XMIN below XMAX and YMIN below YMAX");
-  options.extent = extent;
+  options.extent = {numbers[0], numbers[1], numbers[2], numbers[3]};
   return {};
 }
 
@@ -143,6 +146,23 @@ std::string extentText(const BuildOptions& options) {
     for (const double number : *options.extent)
       numbers.push_back(formatNumber(number));
   return join(numbers, " ");
+}
+
+Status setObserver(BuildOptions& options, const std::string& text) {
+  const std::vector<double> numbers = finiteNumbers(text);
+  if (numbers.size() < 2 || numbers.size() > 3 || std::abs(numbers[0]) > 180 ||
+      std::abs(numbers[1]) > 90)
+    return expected("LON,LAT or LON,LAT,HEIGHT in degrees and metres");
+  options.observer = {numbers[0], numbers[1], numbers.size() > 2 ? numbers[2] : 0};
+  return {};
+}
+
+std::string observerText(const BuildOptions& options) {
+  std::vector<std::string> numbers;
+  if (options.observer)
+    for (const double number : *options.observer)
+      numbers.push_back(formatNumber(number));
+  return join(numbers, ",");
 }
 
 Status setVoidFill(BuildOptions& options, const std::string& text) {

@@ -28,6 +28,10 @@ std::string threadsText(const BuildOptions& options);
 Status setExtent(BuildOptions& options, const std::string& text);
 std::string extentText(const BuildOptions& options);
 
+/// "LON,LAT[,HEIGHT]", blanks or commas between: degrees (-180..180, -90..90) and metres.
+Status setObserver(BuildOptions& options, const std::string& text);
+std::string observerText(const BuildOptions& options);
+
 /// A height in metres or "interpolate".
 Status setVoidFill(BuildOptions& options, const std::string& text);
 std::string voidFillText(const BuildOptions& options);

@@ -2,7 +2,7 @@
 // Copyright (c) 2026 the qmesh authors
 #include <cmath>
 
-#include "mesh/error_measure.h"
+#include "simplify/finish.h"
 #include "simplify/methods.h"
 
 namespace qmesh {
@@ -12,19 +12,23 @@ namespace {
 /// The grid of all nodes, each cell cut along the diagonal whose ends differ less in height.
 class AllNodes final : public Simplifier {
  public:
-  Status simplify(const HeightTile& tile, const TileFrame& frame, const Border&, const LevelParams&,
-                  Tin& out) override {
+  void makeBorder(const HeightTile& tile, const TileFrame& frame, const LevelParams&,
+                  Border& border) const override {
+    for (int edge = 0; edge < 4; ++edge) {
+      border.places[std::size_t(edge)].clear();
+      for (int k = 0; k <= tile.cells(); ++k)
+        border.places[std::size_t(edge)].push_back(edge % 2 == 0 ? frame.v(k) : frame.u(k));
+    }
+  }
+
+  Status simplify(const HeightTile& tile, const TileFrame& frame, const Border&,
+                  const LevelParams& level, Tin& out) override {
     out.clear();
     addVertices(tile, frame, out);
     addTriangles(tile, out);
-    const ErrorMeasure measure = measureError(tile, frame, out);
-    out.maxError = measure.max;
-    out.sumSquaredError = measure.sumSquared;
-    out.reason = StopReason::allNodes;
+    finishTin(tile, frame, level, StopReason::allNodes, out);
     return {};
   }
-
-  bool usesAllNodes() const override { return true; }
 
  private:
   static void addVertices(const HeightTile& tile, const TileFrame& frame, Tin& out) {

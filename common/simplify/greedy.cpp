@@ -9,7 +9,7 @@
 #include "simplify/decimator.h"
 #include "simplify/methods.h"
 #include "simplify/node_heights.h"
-#include "simplify/triangulation.h"
+#include "simplify/node_mesh.h"
 
 namespace qmesh {
 
@@ -52,11 +52,8 @@ class Greedy final : public Simplifier {
  private:
   void start(const Border& border, int baseGrid);
   void seed(double tolerance);
-  void insertEdge(const std::vector<std::uint16_t>& places, Edge edge);
   void insertNode(int i, int j, std::int32_t hint);
   bool insertAtFreePlace(const Candidate& candidate);
-  NodeVertex makeVertex(int i, int j, int u, int v) const;
-  NodeVertex makeVertex(int i, int j) const;
   void maskBorder();
   float scanTolerance(double maxError) const;
   template <class Scan, class Insert> bool refine(Scan scan, Insert insert);
@@ -66,20 +63,19 @@ class Greedy final : public Simplifier {
   ErrorMeasure finish(const LevelParams& level, Tin& out);
   ErrorMeasure leaveForbiddenCount(const LevelParams& level, Tin& out);
   void report(const ErrorMeasure& measure, const LevelParams& level, Tin& out) const;
-  void write(Tin& out);
 
   MethodOptions options_;
   const HeightTile* tile_ = nullptr;
   const TileFrame* frame_ = nullptr;
   bool severalPlaces_ = false; ///< a node may have more than one of its places
-  Triangulation mesh_;
+  NodeMesh nodes_;
+  Triangulation& mesh_ = nodes_.triangulation();
   NodeHeights heights_;
   Decimator decimator_;
   std::vector<double> nodeV_;
   std::unique_ptr<SpanList<double>> spans_ = std::make_unique<SpanList<double>>();
   std::vector<Candidate> candidates_;
   std::vector<std::int32_t> scanList_;
-  std::vector<std::uint32_t> newIndex_;
   std::vector<std::uint8_t> places_; ///< by node: which of its four places have a vertex, as bits
 };
 
@@ -125,7 +121,7 @@ void Greedy::seed(double tolerance) {
       for (int i = step; i < n; i += step) {
         if (heights_.isMasked(heights_.index(i, j)))
           continue;
-        const NodeVertex vertex = makeVertex(i, j);
+        const NodeVertex vertex = nodes_.makeVertex(i, j);
         const std::int32_t t = mesh_.locate(vertex.corner, mesh_.changed().back());
         const double height = planeHeight(mesh_.cornerOf(t, 0).corner, mesh_.cornerOf(t, 1).corner,
                                           mesh_.cornerOf(t, 2).corner, vertex.corner);
@@ -143,53 +139,17 @@ void Greedy::start(const Border& border, int baseGrid) {
   for (int j = 0; j <= n; ++j)
     nodeV_.push_back(frame_->nodeV(j));
   nodeV_.resize(nodeV_.size() + kLanePadding, kQuantizedMax);
-  mesh_.reset({makeVertex(0, 0), makeVertex(n, 0), makeVertex(n, n), makeVertex(0, n)});
+  nodes_.reset(*tile_, *frame_, border, baseGrid);
   maskBorder();
-  for (const Edge edge : {kWest, kSouth, kEast, kNorth})
-    insertEdge(border[edge], edge);
   const int baseCells = n / baseGrid;
   for (int j = baseCells; j < n; j += baseCells) {
     for (int i = baseCells; i < n; i += baseCells)
-      insertNode(i, j, mesh_.changed().back());
+      heights_.mask(i, j);
   }
-}
-
-void Greedy::insertEdge(const std::vector<std::uint16_t>& places, Edge edge) {
-  const int n = frame_->cells();
-  const bool far = edge == kEast || edge == kNorth;
-  for (std::size_t k = 1; k + 1 < places.size(); ++k) {
-    const int place = places[k];
-    const int across = far ? kQuantizedMax : 0;
-    const bool alongRow = edge == kSouth || edge == kNorth;
-    const int node = alongRow ? frame_->nearestColumn(places[k]) : frame_->nearestRow(places[k]);
-    const NodeVertex vertex = alongRow ? makeVertex(node, far ? n : 0, place, across)
-                                       : makeVertex(far ? n : 0, node, across, place);
-    mesh_.insert(vertex, mesh_.changed().back());
-  }
-}
-
-NodeVertex Greedy::makeVertex(int i, int j, int u, int v) const {
-  const int n = frame_->cells();
-  const bool border = i == 0 || j == 0 || i == n || j == n;
-  const float height = tile_->at(i, j);
-  NodeVertex vertex;
-  vertex.i = std::uint16_t(i);
-  vertex.j = std::uint16_t(j);
-  vertex.q = border ? frame_->quantizeBorder(height) : frame_->quantize(height);
-  vertex.corner.u = u;
-  vertex.corner.v = v;
-  vertex.corner.column = spanColumn(u, n);
-  vertex.corner.height = frame_->decode(vertex.q) - frame_->minHeight();
-  vertex.corner.row = j + (frame_->nodeV(j) < v ? 1 : 0);
-  return vertex;
-}
-
-NodeVertex Greedy::makeVertex(int i, int j) const {
-  return makeVertex(i, j, frame_->u(i), frame_->v(j));
 }
 
 void Greedy::insertNode(int i, int j, std::int32_t hint) {
-  mesh_.insert(makeVertex(i, j), hint);
+  nodes_.insert(i, j, hint);
   heights_.mask(i, j);
 }
 
@@ -215,7 +175,7 @@ bool Greedy::insertAtFreePlace(const Candidate& candidate) {
   if (best < 0)
     return false;
   used = severalPlaces_ ? std::uint8_t(used | 1 << best) : kAllPlaces;
-  mesh_.insert(makeVertex(i, j, west + (best & 1), south + (best >> 1)), candidate.triangle);
+  mesh_.insert(nodes_.makeVertex(i, j, west + (best & 1), south + (best >> 1)), candidate.triangle);
   heights_.mask(i, j);
   return true;
 }
@@ -306,7 +266,7 @@ NodeError Greedy::exactWorst(std::int32_t t, double tolerance) const {
 /// Writes the TIN, and as long as the exact measure finds nodes beyond the max error goes on.
 ErrorMeasure Greedy::finish(const LevelParams& level, Tin& out) {
   while (true) {
-    write(out);
+    nodes_.write(out);
     const ErrorMeasure measure = measureError(*tile_, *frame_, out);
     if (measure.max <= level.maxError)
       return measure;
@@ -340,7 +300,7 @@ ErrorMeasure Greedy::leaveForbiddenCount(const LevelParams& level, Tin& out) {
   if (worst.node >= 0 && insertAtFreePlace(worst))
     return finish(level, out);
   decimator_.removeAny(mesh_, heights_);
-  write(out);
+  nodes_.write(out);
   return measureError(*tile_, *frame_, out);
 }
 
@@ -353,25 +313,6 @@ void Greedy::report(const ErrorMeasure& measure, const LevelParams& level, Tin& 
   else
     out.reason =
         out.vertices.size() == across * across ? StopReason::allNodes : StopReason::maxError;
-}
-
-void Greedy::write(Tin& out) {
-  out.clear();
-  newIndex_.assign(mesh_.vertices().size(), 0);
-  for (std::size_t v = 0; v < mesh_.vertices().size(); ++v) {
-    if (mesh_.leaving(std::int32_t(v)) == Triangulation::kNone)
-      continue;
-    const NodeVertex& vertex = mesh_.vertices()[v];
-    newIndex_[v] = std::uint32_t(out.vertices.size());
-    out.vertices.push_back(
-        {std::uint16_t(vertex.corner.u), std::uint16_t(vertex.corner.v), vertex.q});
-  }
-  for (std::int32_t t = 0; t < mesh_.triangleSlots(); ++t) {
-    if (!mesh_.alive(t))
-      continue;
-    const auto index = [&](int k) { return newIndex_[std::size_t(mesh_.origin(3 * t + k))]; };
-    out.triangles.push_back({index(0), index(1), index(2)});
-  }
 }
 
 } // namespace

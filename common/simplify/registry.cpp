@@ -7,8 +7,8 @@ namespace qmesh {
 const std::vector<SimplifierInfo>& simplifiers() {
   static const std::vector<SimplifierInfo> rows = {
       {"greedy", "refinement", "inserts the worst node until all are within the max error", true,
-       createGreedy},
-      {"delaunay", "reference", "keeps every node: the reference to compare with", false,
+       "max-error", createGreedy},
+      {"delaunay", "reference", "keeps every node: the reference to compare with", false, "",
        createAllNodes},
   };
   return rows;
@@ -20,6 +20,11 @@ const SimplifierInfo* findSimplifier(const std::string& name) {
       return &info;
   }
   return nullptr;
+}
+
+Status tileFault(TileId tile, const std::string& what) {
+  return {Code::internal, "tile " + std::to_string(tile.z) + "/" + std::to_string(tile.x) + "/" +
+                              std::to_string(tile.y) + ": " + what};
 }
 
 } // namespace qmesh

@@ -12,27 +12,34 @@
 #include "mesh/level_params.h"
 #include "mesh/tile_frame.h"
 #include "mesh/tin.h"
+#include "options/method_options.h"
 
 namespace qmesh {
 
-/// What the methods may be told beside the level's parameters.
-struct MethodOptions {
-  bool decimate = true; ///< greedy: the bounded decimation pass
-};
-
 /// Turns the nodes of one tile into a TIN. An instance owns its scratch memory and serves one
-/// thread; distinct instances share nothing. The result is a pure function of the arguments.
+/// thread; distinct instances share nothing. Results are pure functions of the arguments and of the
+/// options it was made with.
 class Simplifier {
  public:
   virtual ~Simplifier() = default;
 
-  /// The TIN has exactly the border's vertices on its edges and passes checkTin(); `out` is
-  /// overwritten. An error names the tile.
+  /// The vertices of the tile's edges under --border shared: a function of each edge's own nodes,
+  /// of the two nodes to both sides of it, and of the level, so that both tiles of an edge find the
+  /// same. Overridden by methods with a border of their own; the contract's otherwise.
+  virtual void makeBorder(const HeightTile& tile, const TileFrame& frame, const LevelParams& level,
+                          Border& border) const {
+    qmesh::makeBorder(tile, frame, level, border);
+  }
+
+  /// True where simplify() adds vertices to the free edges of a border; else the caller makes those
+  /// edges with makeBorder() too.
+  virtual bool choosesBorder() const { return false; }
+
+  /// The TIN has exactly the border's vertices on its final edges, at least those on its free ones,
+  /// the nodes of the curvature grid, and passes checkTin(); `out` is overwritten. An error names
+  /// the tile.
   virtual Status simplify(const HeightTile& tile, const TileFrame& frame, const Border& border,
                           const LevelParams& level, Tin& out) = 0;
-
-  /// True where every node is a vertex and `border` is not asked for.
-  virtual bool usesAllNodes() const { return false; }
 };
 
 /// One row a method.
@@ -40,13 +47,19 @@ struct SimplifierInfo {
   const char* name;     ///< as in --method
   const char* category; ///< "refinement", "reference", ...
   const char* sentence; ///< for --help
-  bool boundsError;     ///< promise P2 holds
+  bool boundsError;     ///< promise P2 holds with the method's defaults
+  /// The SPEC option that decides how many triangles there are.
+  const char* mainOption;
   std::unique_ptr<Simplifier> (*create)(const MethodOptions&);
 };
 
+/// The methods of this build, in the order of the help.
 const std::vector<SimplifierInfo>& simplifiers();
 
 /// nullptr when there is no such method.
 const SimplifierInfo* findSimplifier(const std::string& name);
+
+/// "tile 7/12/34: WHAT" as Code::internal, for a method that cannot do a tile.
+Status tileFault(TileId tile, const std::string& what);
 
 } // namespace qmesh

@@ -179,7 +179,8 @@ TEST(MakeBorder, FindsAPeakAndItsFeet) {
 TEST(MakeBorder, KeepsOnlyTheCornersOfAFlatTile) {
   const Place place{Profile::geodetic, 15, 9, 9, 256};
   const TerrainPatch patch(place.lattice(), place.id(), 1, 1, Terrain::flat, 1);
-  for (const std::vector<std::uint16_t>& places : make(patch.tile(), place.level(0.3)).border)
+  const Border border = make(patch.tile(), place.level(0.3)).border;
+  for (const std::vector<std::uint16_t>& places : border.places)
     EXPECT_EQ(places, (std::vector<std::uint16_t>{0, kQuantizedMax}));
 }
 

@@ -25,14 +25,16 @@ inline Simplified simplify(const HeightTile& tile, const LevelParams& level,
   Simplified made;
   made.level = level;
   made.frame.reset(tile, level);
-  makeBorder(tile, made.frame, level, made.border);
+  simplifier.makeBorder(tile, made.frame, level, made.border);
   EXPECT_TRUE(simplifier.simplify(tile, made.frame, made.border, level, made.tin).ok());
   return made;
 }
 
 inline Simplified simplify(const HeightTile& tile, const LevelParams& level, bool decimate = true,
                            const char* method = "greedy") {
-  const auto simplifier = findSimplifier(method)->create({decimate});
+  MethodOptions options;
+  options.decimate = decimate;
+  const auto simplifier = findSimplifier(method)->create(options);
   return simplify(tile, level, *simplifier);
 }
 

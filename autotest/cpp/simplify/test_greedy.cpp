@@ -170,7 +170,7 @@ TEST(Greedy, NeverMakes65536Vertices) {
   Simplified made;
   made.level = level;
   made.frame.reset(patch.tile(), level);
-  for (std::vector<std::uint16_t>& nodes : made.border) {
+  for (std::vector<std::uint16_t>& nodes : made.border.places) {
     for (int k = 0; k <= 256; k += 2)
       nodes.push_back(made.frame.u(k));
   }

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the qmesh authors
+#include "simplify/node_mesh.h"
+
+namespace qmesh {
+
+void NodeMesh::reset(const HeightTile& tile, const TileFrame& frame, const Border& border,
+                     int baseGrid) {
+  tile_ = &tile;
+  frame_ = &frame;
+  const int n = frame.cells();
+  triangulation_.reset({makeVertex(0, 0), makeVertex(n, 0), makeVertex(n, n), makeVertex(0, n)});
+  for (const Edge edge : {kWest, kSouth, kEast, kNorth})
+    insertEdge(border[edge], edge);
+  const int baseCells = n / baseGrid;
+  for (int j = baseCells; j < n; j += baseCells) {
+    for (int i = baseCells; i < n; i += baseCells)
+      insert(i, j);
+  }
+}
+
+void NodeMesh::insertEdge(const std::vector<std::uint16_t>& places, Edge edge) {
+  const int n = frame_->cells();
+  const bool far = edge == kEast || edge == kNorth;
+  for (std::size_t k = 1; k + 1 < places.size(); ++k) {
+    const int place = places[k];
+    const int across = far ? kQuantizedMax : 0;
+    const bool alongRow = edge == kSouth || edge == kNorth;
+    const int node = alongRow ? frame_->nearestColumn(places[k]) : frame_->nearestRow(places[k]);
+    const NodeVertex vertex = alongRow ? makeVertex(node, far ? n : 0, place, across)
+                                       : makeVertex(far ? n : 0, node, across, place);
+    triangulation_.insert(vertex, triangulation_.changed().back());
+  }
+}
+
+NodeVertex NodeMesh::makeVertex(int i, int j, int u, int v) const {
+  const int n = frame_->cells();
+  const bool border = i == 0 || j == 0 || i == n || j == n;
+  const float height = tile_->at(i, j);
+  NodeVertex vertex;
+  vertex.i = std::uint16_t(i);
+  vertex.j = std::uint16_t(j);
+  vertex.q = border ? frame_->quantizeBorder(height) : frame_->quantize(height);
+  vertex.corner.u = u;
+  vertex.corner.v = v;
+  vertex.corner.column = spanColumn(u, n);
+  vertex.corner.height = frame_->decode(vertex.q) - frame_->minHeight();
+  vertex.corner.row = j + (frame_->nodeV(j) < v ? 1 : 0);
+  return vertex;
+}
+
+NodeVertex NodeMesh::makeVertex(int i, int j) const {
+  return makeVertex(i, j, frame_->u(i), frame_->v(j));
+}
+
+void NodeMesh::write(Tin& out) {
+  out.clear();
+  newIndex_.assign(triangulation_.vertices().size(), 0);
+  for (std::size_t v = 0; v < triangulation_.vertices().size(); ++v) {
+    if (triangulation_.leaving(std::int32_t(v)) == Triangulation::kNone)
+      continue;
+    const NodeVertex& vertex = triangulation_.vertices()[v];
+    newIndex_[v] = std::uint32_t(out.vertices.size());
+    out.vertices.push_back(
+        {std::uint16_t(vertex.corner.u), std::uint16_t(vertex.corner.v), vertex.q});
+  }
+  for (std::int32_t t = 0; t < triangulation_.triangleSlots(); ++t) {
+    if (!triangulation_.alive(t))
+      continue;
+    const auto index = [&](int k) {
+      return newIndex_[std::size_t(triangulation_.origin(3 * t + k))];
+    };
+    out.triangles.push_back({index(0), index(1), index(2)});
+  }
+}
+
+} // namespace qmesh
