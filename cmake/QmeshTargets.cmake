@@ -28,6 +28,9 @@ function(qmesh_module name)
     target_link_libraries(qmesh_${name} PUBLIC qmesh_${dep})
   endforeach()
   target_link_libraries(qmesh_${name} PUBLIC ${ARG_LINKS})
+  # For the installed library (QmeshInstall.cmake), which holds all modules.
+  set_property(GLOBAL APPEND PROPERTY QMESH_MODULES ${name})
+  set_property(GLOBAL APPEND PROPERTY QMESH_LINKS ${ARG_LINKS})
 endfunction()
 
 # qmesh_test(NAME SOURCES test_a.cpp ... DEPENDS module ...)

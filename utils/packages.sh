@@ -14,6 +14,7 @@ QMESH_TEST_PACKAGES=(
   libgtest-dev libbenchmark-dev clang:clang "libclang-rt-dev?"
   gdal-bin python3-gdal python3-numpy python3-scipy python3-pytest
   node:nodejs npm:npm "chromium|chromium-browser"
+  pkg-config:pkg-config man:man-db
 )
 
 qmesh_installed() {

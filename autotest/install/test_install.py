@@ -1,0 +1,178 @@
+# SPDX-License-Identifier: MIT
+# Copyright (c) 2026 the qmesh authors
+"""Installs into an empty folder and uses what lies there, as people and other projects do.
+
+QMESH_BUILD  the build folder to install from (default build of this tree)
+"""
+
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+BUILD = pathlib.Path(os.environ.get("QMESH_BUILD", ROOT / "build"))
+DEM = ROOT / "data" / "jacksboro_srtm3.tif"
+STRANGER = pathlib.Path(__file__).resolve().parent / "stranger"
+sys.path.insert(0, str(ROOT / "autotest"))
+
+from oracle import terrain, validity  # noqa: E402
+from oracle.scheme import Scheme  # noqa: E402
+
+
+def run(*command, **options):
+    """Runs to a good end; returns what was printed."""
+    done = subprocess.run(
+        list(map(str, command)), stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+        timeout=300, check=False, **options
+    )
+    text = done.stdout.decode()
+    assert done.returncode == 0, f"{command}\n{text}"
+    return text
+
+
+def install(prefix):
+    run("cmake", "--install", BUILD, "--prefix", prefix)
+    return prefix
+
+
+@pytest.fixture(scope="module")
+def prefix(tmp_path_factory):
+    return install(tmp_path_factory.mktemp("prefix"))
+
+
+def library_folder(prefix):
+    (library,) = prefix.rglob("libqmesh.a")
+    return library.parent
+
+
+def test_the_command_runs_from_there(prefix, tmp_path):
+    run(prefix / "bin" / "gdal2qmesh", "--tilesize", "64", "-z", "0-9", DEM, tmp_path / "set")
+    layer = json.loads((tmp_path / "set" / "layer.json").read_text())
+    assert layer["maxzoom"] == 9
+    assert (tmp_path / "set" / "0" / "0" / "0.terrain").exists()
+
+
+def test_nothing_points_back_to_the_source_or_build_folder(prefix):
+    texts = [p for p in prefix.rglob("*") if p.suffix in (".cmake", ".pc", ".h", ".py", ".json")]
+    assert len(texts) > 60
+    for path in texts:
+        text = path.read_text()
+        assert str(BUILD) not in text and str(ROOT) not in text, path
+
+
+def test_headers_name_each_other_by_their_installed_place(prefix):
+    for header in (prefix / "include" / "qmesh").rglob("*.h"):
+        for line in header.read_text().splitlines():
+            if line.startswith('#include "'):
+                assert (prefix / "include" / line.split('"')[1]).exists(), f"{header}: {line}"
+
+
+def check_tile(path, said):
+    """The tile that stranger/one_tile.cpp writes, by a decoder that shares no code with the library."""
+    tile = terrain.decode(terrain.gunzip(path.read_bytes()))
+    box = Scheme("geodetic").box(9, 270, 360)
+    assert validity.mesh_faults(tile) == []
+    assert validity.header_faults(tile, box) == []
+    assert int(said.split()[0]) == len(tile.triangles) > 50
+    heights = tile.heights()
+    corner = np.flatnonzero((tile.u == 0) & (tile.v == 0))[0]
+    assert abs(heights[corner] - 250) < 0.5
+    assert abs(heights.max() - 340) < 1 and heights.min() > 249
+    assert tile.oct_normals() is not None
+
+
+def test_a_stranger_builds_by_find_package(prefix, tmp_path):
+    run("cmake", "-S", STRANGER, "-B", tmp_path / "build", f"-DCMAKE_PREFIX_PATH={prefix}", "-DCMAKE_BUILD_TYPE=Release")
+    run("cmake", "--build", tmp_path / "build")
+    said = run(tmp_path / "build" / "one_tile", tmp_path / "hill.terrain")
+    check_tile(tmp_path / "hill.terrain", said)
+
+
+def test_a_stranger_builds_by_pkg_config(prefix, tmp_path):
+    environment = {**os.environ, "PKG_CONFIG_PATH": str(library_folder(prefix) / "pkgconfig")}
+    flags = run("pkg-config", "--cflags", "--libs", "qmesh", env=environment).split()
+    source = shutil.copy(STRANGER / "one_tile.cpp", tmp_path)
+    run("c++", "-std=c++17", source, "-o", tmp_path / "one_tile", *flags, cwd=tmp_path)
+    said = run(tmp_path / "one_tile", tmp_path / "hill.terrain")
+    check_tile(tmp_path / "hill.terrain", said)
+
+
+def test_another_minor_version_is_refused(prefix, tmp_path):
+    (tmp_path / "CMakeLists.txt").write_text(
+        "cmake_minimum_required(VERSION 3.22)\nproject(newer LANGUAGES CXX)\nfind_package(qmesh 0.99 REQUIRED)\n"
+    )
+    done = subprocess.run(
+        ["cmake", "-S", tmp_path, "-B", tmp_path / "b", f"-DCMAKE_PREFIX_PATH={prefix}"],
+        capture_output=True, timeout=120, check=False,
+    )
+    assert done.returncode != 0 and b"0.1.0" in done.stderr
+
+
+def complete(prefix, *words, cwd=None):
+    """What bash offers for the last of the words."""
+    script = prefix / "share" / "bash-completion" / "completions" / words[0]
+    text = 'source "$1"; shift; COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1)); _$1 2>/dev/null; printf "%s\\n" "${COMPREPLY[@]}"'
+    return run("bash", "-c", text, "bash", script, *words, cwd=cwd).split()
+
+
+@pytest.mark.parametrize(
+    "words, expected",
+    [
+        (["--max-e"], ["--max-error"]),
+        (["--no-n"], ["--no-normals"]),
+        (["--proc"], ["--processes"]),
+        (["--method", "gr"], ["greedy"]),
+        (["--method", "=", "gr"], ["greedy"]),
+        (["-p", ""], ["geodetic", "mercator"]),
+        (["-r", "cubic"], ["cubic", "cubicspline"]),
+        (["--max-error", ""], []),
+    ],
+)
+def test_completion(prefix, words, expected):
+    offered = complete(prefix, "gdal2qmesh", *words)
+    if words[-1] == "gr":
+        assert "greedy" in offered and all(name.startswith("gr") for name in offered)
+    else:
+        assert offered == expected
+
+
+def test_completion_of_files_and_folders(prefix, tmp_path):
+    (tmp_path / "two words.tif").touch()
+    (tmp_path / "folder").mkdir()
+    assert complete(prefix, "gdal2qmesh", "t", cwd=tmp_path) == ["two", "words.tif"]
+    assert complete(prefix, "gdal2qmesh", "--cesium", "", cwd=tmp_path) == ["folder"]
+
+
+def test_completion_knows_every_option(prefix):
+    rows = json.loads(run(prefix / "bin" / "gdal2qmesh", "--options-json"))["options"]
+    offered = complete(prefix, "gdal2qmesh", "-")
+    for row in rows:
+        named = row.get("position") is None and not row.get("ignored")
+        assert (f"--{row['name']}" in offered) == named, row["name"]
+
+
+def test_man_pages_render(prefix):
+    pages = list((prefix / "share").rglob("man1/*.1"))
+    assert len(pages) == len(list((BUILD / "docs" / "man").glob("*.1")))
+    for page in pages:
+        said = run("man", "-l", "--warnings", page, env={**os.environ, "MANPAGER": "cat", "MANWIDTH": "100"})
+        assert page.stem in said and "warning" not in said
+
+
+def test_uninstall_leaves_nothing_of_ours(tmp_path):
+    prefix = install(tmp_path / "prefix")
+    (prefix / "share" / "theirs").mkdir()
+    (prefix / "share" / "theirs" / "file").write_text("not ours")
+    run("cmake", "--build", BUILD, "--target", "uninstall")
+    left = [p.relative_to(prefix).as_posix() for p in prefix.rglob("*")]
+    assert sorted(left) == ["share", "share/theirs", "share/theirs/file"]
+    again = subprocess.run(
+        ["cmake", "--build", BUILD, "--target", "uninstall"], capture_output=True, timeout=120, check=False
+    )
+    assert again.returncode != 0 and b"Nothing was installed" in again.stderr

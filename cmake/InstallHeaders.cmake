@@ -1,0 +1,20 @@
+# SPDX-License-Identifier: MIT
+# Run by `cmake --install`: the headers of common/MODULE/ with includes as a user of the library
+# sees them. Wants: modules, source, staging, destination (absolute, without DESTDIR).
+list(JOIN modules "|" folders)
+foreach(module IN LISTS modules)
+  file(GLOB headers RELATIVE ${source} ${source}/${module}/*.h)
+  foreach(header IN LISTS headers)
+    file(READ ${source}/${header} text)
+    string(REGEX REPLACE "#include \"((${folders})/)" "#include \"qmesh/\\1" text "${text}")
+    set(old "")
+    if(EXISTS ${staging}/${header})
+      file(READ ${staging}/${header} old)
+    endif()
+    if(NOT text STREQUAL old)
+      file(WRITE ${staging}/${header} "${text}")
+    endif()
+    get_filename_component(folder ${header} DIRECTORY)
+    file(INSTALL ${staging}/${header} DESTINATION ${destination}/${folder})
+  endforeach()
+endforeach()
