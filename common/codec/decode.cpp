@@ -181,12 +181,17 @@ Status readExtension(std::uint8_t id, const std::uint8_t* data, std::size_t size
   }
 }
 
-Status readExtensions(ByteReader& in, TileMesh& mesh) {
+std::uint32_t swapped(std::uint32_t x) {
+  return x >> 24 | (x >> 8 & 0xff00) | (x << 8 & 0xff0000) | x << 24;
+}
+
+Status readExtensions(ByteReader& in, ExtensionLengths lengths, TileMesh& mesh) {
   while (in.left() > 0) {
     if (!in.has(5))
       return fault("it ends inside the head of an extension");
     const std::uint8_t id = in.take<std::uint8_t>();
-    const std::size_t size = in.take<std::uint32_t>();
+    const std::uint32_t stored = in.take<std::uint32_t>();
+    const std::size_t size = lengths == ExtensionLengths::bigEndian ? swapped(stored) : stored;
     if (!in.has(size))
       return fault("it ends inside extension " + std::to_string(id));
     QMESH_RETURN_IF_ERROR(readExtension(id, in.take(size), size, mesh));
@@ -196,7 +201,7 @@ Status readExtensions(ByteReader& in, TileMesh& mesh) {
 
 } // namespace
 
-Result<TileMesh> decodeTile(const std::uint8_t* data, std::size_t size) {
+Result<TileMesh> decodeTile(const std::uint8_t* data, std::size_t size, ExtensionLengths lengths) {
   if (size > kMaxTile)
     return fault("it is larger than 2 GB");
   TileMesh mesh;
@@ -207,7 +212,7 @@ Result<TileMesh> decodeTile(const std::uint8_t* data, std::size_t size) {
     QMESH_RETURN_IF_ERROR(readIndices<std::uint32_t>(in, mesh));
   else
     QMESH_RETURN_IF_ERROR(readIndices<std::uint16_t>(in, mesh));
-  QMESH_RETURN_IF_ERROR(readExtensions(in, mesh));
+  QMESH_RETURN_IF_ERROR(readExtensions(in, lengths, mesh));
   return mesh;
 }
 

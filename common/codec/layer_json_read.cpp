@@ -4,26 +4,20 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "codec/json_reading.h"
 #include "codec/layer_json.h"
 
 namespace qmesh {
 namespace {
 
 using Json = nlohmann::json;
+using json_reading::member;
+using json_reading::numberOf;
 
-constexpr std::size_t kMaxText = std::size_t(256) << 20; ///< bytes
-constexpr int kMaxDepth = 64;
-constexpr int kMaxLevels = kMaxZoom + 1;
+constexpr char kSubject[] = "layer.json";
 
 Status fault(const std::string& what) {
-  return {Code::input, "layer.json cannot be used: " + what + "."};
-}
-
-/// The member, or a null value where `object` has none.
-const Json& member(const Json& object, const char* key) {
-  static const Json kNull;
-  const auto found = object.find(key);
-  return found == object.end() ? kNull : *found;
+  return json_reading::fault(kSubject, what);
 }
 
 /// Text, also where a producer wrote a number without quotes (as "version" often is).
@@ -32,13 +26,6 @@ std::string textOf(const Json& object, const char* key) {
   if (value.is_string())
     return value.get<std::string>();
   return value.is_number() ? value.dump() : std::string();
-}
-
-double numberOf(const Json& value, double fallback) {
-  if (!value.is_number())
-    return fallback;
-  const double number = value.get<double>();
-  return std::isfinite(number) ? number : fallback;
 }
 
 /// A whole number in first..last, or `fallback`.
@@ -86,47 +73,6 @@ Status readScheme(const Json& doc, LayerJson& layer) {
   return {};
 }
 
-/// A coordinate of a range: a whole number below `end`.
-bool readCoordinate(const Json& range, const char* key, std::uint32_t end, std::uint32_t& to) {
-  const double number = numberOf(member(range, key), -1);
-  if (number < 0 || number >= end || std::floor(number) != number)
-    return false;
-  to = std::uint32_t(number);
-  return true;
-}
-
-Status readRange(const Json& json, const Scheme& scheme, int zoom, std::vector<TileRange>& ranges) {
-  TileRange range;
-  const std::uint32_t columns = scheme.tilesX(zoom);
-  const std::uint32_t rows = scheme.tilesY(zoom);
-  if (!json.is_object() || !readCoordinate(json, "startX", columns, range.x0) ||
-      !readCoordinate(json, "startY", rows, range.y0) ||
-      !readCoordinate(json, "endX", columns, range.x1) ||
-      !readCoordinate(json, "endY", rows, range.y1) || range.x0 > range.x1 || range.y0 > range.y1)
-    return fault("a range under \"available\" is not one of tiles of zoom " + std::to_string(zoom));
-  ranges.push_back(range);
-  return {};
-}
-
-Status readAvailable(const Json& doc, LayerJson& layer) {
-  const Json& levels = member(doc, "available");
-  if (levels.is_null())
-    return {};
-  if (!levels.is_array())
-    return fault("\"available\" is not a list");
-  if (levels.size() > kMaxLevels)
-    return fault("\"available\" goes deeper than zoom " + std::to_string(kMaxZoom));
-  const Scheme scheme(layer.profile);
-  layer.available.resize(levels.size());
-  for (std::size_t zoom = 0; zoom < levels.size(); ++zoom) {
-    if (!levels[zoom].is_array())
-      return fault("\"available\" has no list for zoom " + std::to_string(zoom));
-    for (const Json& range : levels[zoom])
-      QMESH_RETURN_IF_ERROR(readRange(range, scheme, int(zoom), layer.available[zoom]));
-  }
-  return {};
-}
-
 void readBox(const Json& doc, const char* key, GeoBox& box) {
   const Json& list = member(doc, key);
   if (!list.is_array() || list.size() != 4)
@@ -159,38 +105,18 @@ void readRecord(const Json& doc, LayerJson& layer) {
                               numberOf(member(level, "errorReached"), 0)});
 }
 
-/// The JSON of `text`, or a null value and what is wrong.
-Result<Json> parse(const std::string& text) {
-  if (text.size() > kMaxText)
-    return fault("it is larger than 256 MB");
-  bool tooDeep = false;
-  const auto isKept = [&](int depth, Json::parse_event_t event, const Json&) {
-    const bool opens =
-        event == Json::parse_event_t::object_start || event == Json::parse_event_t::array_start;
-    tooDeep = tooDeep || (opens && depth >= kMaxDepth); // depth counts what is open already
-    return !tooDeep;
-  };
-  Json doc = Json::parse(text, isKept, /*allow_exceptions=*/false);
-  if (tooDeep)
-    return fault("it is nested deeper than 64");
-  if (doc.is_discarded())
-    return fault("it is not JSON");
-  if (!doc.is_object())
-    return fault("it is not a JSON object");
-  return doc;
-}
-
 } // namespace
 
 Result<LayerJson> readLayerJson(const std::string& text) {
-  const Result<Json> parsed = parse(text);
+  const Result<Json> parsed = json_reading::parseObject(kSubject, text);
   if (!parsed.ok())
     return parsed.status();
   const Json& doc = *parsed;
   LayerJson layer;
   QMESH_RETURN_IF_ERROR(readFormat(doc, layer));
   QMESH_RETURN_IF_ERROR(readScheme(doc, layer));
-  QMESH_RETURN_IF_ERROR(readAvailable(doc, layer));
+  QMESH_RETURN_IF_ERROR(json_reading::readLevels(kSubject, member(doc, "available"),
+                                                 Scheme(layer.profile), 0, layer.available));
   layer.name = textOf(doc, "name");
   layer.description = textOf(doc, "description");
   layer.version = textOf(doc, "version");

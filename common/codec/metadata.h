@@ -3,7 +3,9 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
+#include "base/status.h"
 #include "tiling/availability.h"
 
 namespace qmesh {
@@ -12,4 +14,9 @@ namespace qmesh {
 /// each of the levels tile.z+1 .. tile.z+levels, rows from the south.
 std::string metadataJson(const Availability& availability, TileId tile, int levels);
 
-}  // namespace qmesh
+/// The inverse, for a tile of any producer: the rectangles of the levels tile.z+1 and on.
+/// Code::input where the text is not such JSON or a rectangle lies outside its level's matrix.
+Result<std::vector<std::vector<TileRange>>> readMetadataJson(const std::string& text,
+                                                             const Scheme& scheme, TileId tile);
+
+} // namespace qmesh

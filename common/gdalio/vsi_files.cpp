@@ -125,7 +125,9 @@ Status renamePath(const std::string& from, const std::string& to) {
 
 void removeTree(const std::string& path) {
   QuietErrors errors;
-  if (VSIUnlink(path.c_str()) == 0)
+  // GDAL's memory unlinks a folder, too, and keeps what is in it; a link to a folder is a file.
+  const bool folder = !isLocalPath(path) && isFolder(path);
+  if (!folder && VSIUnlink(path.c_str()) == 0)
     return;
   for (const std::string& name : listFolder(path))
     removeTree(path + "/" + name);
