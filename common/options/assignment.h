@@ -17,7 +17,7 @@ struct Assignment {
 };
 
 /// Writes the values into their fields, in order; Code::usage with the place of the first bad one.
-Status applyAssignments(const std::vector<Assignment>& assignments, BuildOptions& options);
+Status applyAssignments(const std::vector<Assignment>& assignments, OptionValues& options);
 
 /// "unknown option 'NAME'" with the option it may have meant. `written`: as the user wrote it.
 Status unknownOption(const OptionTable& table, const std::string& written, const std::string& name);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "options/method_options.h"
+#include "options/option_values.h"
 
 namespace qmesh {
 
@@ -18,7 +19,7 @@ inline constexpr int kDeepestZoom = 24;
 /// Everything a user can say about a run. Defaults are the initialisers; the rows of
 /// options/option_rows.cpp name each field once and feed the command line, the help, the JSON and
 /// the reference pages.
-struct BuildOptions : MethodOptions {
+struct BuildOptions : OptionValues, MethodOptions {
   std::string input;
   std::string output; ///< empty: the input's base name in the current folder
 

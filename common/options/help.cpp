@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "base/exit_codes.h"
 #include "base/text.h"
+#include "options/choices.h"
 
 namespace qmesh {
 
@@ -90,6 +90,8 @@ std::string facts(const OptionRow& row) {
 }
 
 void addGroup(const OptionTable& table, const EnumRow<OptionGroup>& group, Page& page) {
+  if (!table.hasGroup(group.value))
+    return;
   page.line("");
   page.line(std::string(group.name) + ": " + group.help);
   for (const OptionRow& row : table.rows()) {
@@ -115,54 +117,40 @@ void addSpec(Page& page) {
              kColumn);
 }
 
-void addExamples(Page& page) {
+void addExamples(const ProgramText& program, Page& page) {
   page.line("");
   page.line("Examples");
-  for (const Example& example : helpExamples()) {
+  for (const Example& example : program.examples) {
     page.line(blanks(kIndent) + example.command);
     page.entry("", example.sentence, 3 * kIndent);
   }
 }
 
-void addExitCodes(Page& page) {
+void addExitCodes(const ProgramText& program, Page& page) {
   constexpr int kColumn = 6;
   page.line("");
   page.line("Exit codes");
-  for (const EnumRow<Code>& code : EnumTable<Code>::kRows)
-    page.entry(std::to_string(static_cast<int>(code.value)), code.help, kColumn);
+  for (const ExitCodeText& exit : program.exitCodes)
+    page.entry(std::to_string(exit.code), exit.sentence, kColumn);
 }
 
 } // namespace
 
-std::string usageLine() {
-  return "usage: gdal2qmesh [options] INPUT [OUTPUT]";
-}
-
-std::vector<Example> helpExamples() {
-  return {
-      {"gdal2qmesh dem.tif", "All zooms the DEM has detail for, into the folder dem."},
-      {"gdal2qmesh -z 0-12 -w cesium dem.tif terrain",
-       "Zooms 0 to 12, with a page that shows them."},
-      {"gdal2qmesh -s EPSG:32611 -a -9999 --void-fill interpolate dem.asc terrain",
-       "A DEM that does not say its coordinate system, nor that -9999 marks voids."},
-      {"gdal2qmesh --max-error 0-9:2000/2^z,10-:0.5 dem.tif terrain",
-       "Errors in metres instead of pixels: half a metre from zoom 10 on."},
-      {"gdal2qmesh --te -120 30 -110 40 --te-srs EPSG:4326 --memory 2GB big.vrt part",
-       "A part of a large DEM, with 2 GB of memory."},
-      {"gdal2qmesh --dry-run big.vrt", "How many tiles it would be, and how long it would take."},
-  };
+std::string usageLine(const OptionTable& table) {
+  return "usage: " + table.program().name + " " + table.program().arguments;
 }
 
 std::string helpText(const OptionTable& table, int columns) {
   Page page(columns);
-  page.line(usageLine());
+  page.line(usageLine(table));
   page.line("");
-  page.entry("", "Turns a digital elevation model into quantized-mesh terrain for CesiumJS.", 0);
+  page.entry("", table.program().sentence, 0);
   for (const EnumRow<OptionGroup>& group : EnumTable<OptionGroup>::kRows)
     addGroup(table, group, page);
-  addSpec(page);
-  addExamples(page);
-  addExitCodes(page);
+  if (table.program().specs)
+    addSpec(page);
+  addExamples(table.program(), page);
+  addExitCodes(table.program(), page);
   return page.text();
 }
 

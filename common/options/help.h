@@ -10,17 +10,10 @@
 namespace qmesh {
 
 /// "usage: gdal2qmesh [options] INPUT [OUTPUT]", without a line end.
-std::string usageLine();
+std::string usageLine(const OptionTable& table);
 
 /// The text of --help: every row by group, the language of SPEC, examples and exit codes. Lines are
 /// at most `columns` long, 60 at least, except where one word is longer.
 std::string helpText(const OptionTable& table, int columns = 80);
-
-/// A command of the help's examples with what it does.
-struct Example {
-  std::string command;
-  std::string sentence;
-};
-std::vector<Example> helpExamples();
 
 } // namespace qmesh

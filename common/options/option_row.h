@@ -9,12 +9,26 @@
 
 #include "base/enum_table.h"
 #include "base/status.h"
-#include "options/build_options.h"
+#include "options/option_values.h"
 
 namespace qmesh {
 
 /// Where the help shows an option; the order is that of the help.
-enum class OptionGroup { arguments, input, heights, tiling, meshes, output, running, information };
+enum class OptionGroup {
+  arguments,
+  description,
+  validation,
+  measure,
+  input,
+  heights,
+  oneTile,
+  sampling,
+  tiling,
+  meshes,
+  output,
+  running,
+  information,
+};
 
 /// What a value looks like, for programs that draw a form.
 enum class OptionType {
@@ -35,13 +49,18 @@ enum class OptionType {
 };
 
 /// What a command line asks for.
-enum class Request { build, help, version, optionsJson };
+enum class Request { run, help, version, optionsJson, listFindings };
 
 template <> struct EnumTable<OptionGroup> {
   static constexpr EnumRow<OptionGroup> kRows[] = {
-      {OptionGroup::arguments, "Arguments", "what is read and where the terrain goes"},
+      {OptionGroup::arguments, "Arguments", "what is read and where the result goes"},
+      {OptionGroup::description, "Description", "what is said of a set"},
+      {OptionGroup::validation, "Validation", "what is wrong with a set"},
+      {OptionGroup::measure, "Measuring", "how far a set is from the DEM it was made from"},
       {OptionGroup::input, "Input", "how the DEM is read"},
       {OptionGroup::heights, "Heights", "what is done to the heights"},
+      {OptionGroup::oneTile, "One tile", "its header, its mesh, its picture"},
+      {OptionGroup::sampling, "Sampling", "heights at places"},
       {OptionGroup::tiling, "Tiling", "which tiles are made and how nodes get their heights"},
       {OptionGroup::meshes, "Meshes", "how a tile's triangles are chosen"},
       {OptionGroup::output, "Output", "what is written"},
@@ -77,30 +96,32 @@ struct OptionRow {
   std::vector<std::string> aliases; ///< other long names
   OptionGroup group = OptionGroup::arguments;
   OptionType type = OptionType::flag;
-  std::string placeholder;          ///< of the value in the help; empty for a flag
-  std::string unit;                 ///< of a number; empty: none
-  std::optional<double> minimum;    ///< of a number, inclusive
-  std::optional<double> maximum;    ///< of a number, inclusive
-  std::vector<Choice> choices;      ///< of a choice
-  std::string help;                 ///< what it does, one or two sentences
-  std::string whenUnset;            ///< said for the default where the field is empty
-  std::string refusal;              ///< added to the message about a bad value; may be empty
-  std::string ignored;              ///< why it has no effect; empty: it has one
-  int values = 1;                   ///< words it takes on a command line, 0 for a flag
-  int position = 0;                 ///< 1, 2: an argument without a name; 0: an option
-  bool advanced = false;            ///< few users need it
-  bool repeatable = false;          ///< each use adds a value
-  bool commandLineOnly = false;     ///< means nothing in a file or a form
-  Request request = Request::build; ///< of the rows that ask for something else than a build
+  std::string placeholder;        ///< of the value in the help; empty for a flag
+  std::string unit;               ///< of a number; empty: none
+  std::optional<double> minimum;  ///< of a number, inclusive
+  std::optional<double> maximum;  ///< of a number, inclusive
+  std::vector<Choice> choices;    ///< of a choice
+  std::string help;               ///< what it does, one or two sentences
+  std::string whenUnset;          ///< said for the default where the field is empty
+  std::string refusal;            ///< added to the message about a bad value; may be empty
+  std::string ignored;            ///< why it has no effect; empty: it has one
+  int values = 1;                 ///< words it takes on a command line, 0 for a flag
+  int position = 0;               ///< 1, 2: an argument without a name; 0: an option
+  std::string initial;            ///< the default as text; empty where the field is
+  bool advanced = false;          ///< few users need it
+  bool repeatable = false;        ///< each use adds a value
+  bool commandLineOnly = false;   ///< means nothing in a file or a form
+  Request request = Request::run; ///< of the rows that ask for something else than a run
 
   /// Reads a value into its field; a flag takes "on", "off" and their aliases. On a fault the
   /// status says what was expected, without naming option and value: the caller knows them.
-  std::function<Status(BuildOptions&, const std::string&)> set;
+  /// REQUIRES: the option struct that the row was built for.
+  std::function<Status(OptionValues&, const std::string&)> set;
   /// The field as text that set() reads; empty where the field is.
-  std::function<std::string(const BuildOptions&)> get;
+  std::function<std::string(const OptionValues&)> get;
 
   /// The default as text: the field of default-constructed options.
-  std::string defaultText() const { return get(BuildOptions()); }
+  std::string defaultText() const { return initial; }
   /// "1 to 5 m", "1 or more", "m", or nothing. Choices say more than a range.
   std::string rangeText() const;
   /// The name of a GDAL creation option: MAX_ERROR for max-error.

@@ -58,7 +58,20 @@ std::string OptionRow::rangeText() const {
   return text.empty() || unit.empty() ? text + unit : text + " " + unit;
 }
 
-OptionTable::OptionTable(const std::vector<Choice>& methods) : rows_(optionRows(methods)) {}
+OptionTable OptionTable::of(ProgramText program, std::vector<OptionRow> rows) {
+  OptionTable table;
+  table.program_ = std::move(program);
+  table.rows_ = std::move(rows);
+  return table;
+}
+
+OptionTable::OptionTable(const std::vector<Choice>& methods)
+    : program_(buildProgram()), rows_(optionRows(methods)) {}
+
+bool OptionTable::hasGroup(OptionGroup group) const {
+  return std::any_of(rows_.begin(), rows_.end(),
+                     [&](const OptionRow& row) { return row.group == group; });
+}
 
 const OptionRow* OptionTable::byName(std::string_view name) const {
   for (const OptionRow& row : rows_)

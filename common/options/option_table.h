@@ -7,17 +7,23 @@
 #include <vector>
 
 #include "options/option_row.h"
+#include "options/program_text.h"
 
 namespace qmesh {
 
-/// Every option of gdal2qmesh, once. Free-threaded where const.
+/// Every option of a program, once. Free-threaded where const.
 class OptionTable {
  public:
-  /// `methods`: names and sentences of the simplification methods this build has, for --method.
+  static OptionTable of(ProgramText program, std::vector<OptionRow> rows);
+  /// That of gdal2qmesh. `methods`: names and sentences of the simplification methods this build
+  /// has, for --method.
   explicit OptionTable(const std::vector<Choice>& methods);
 
+  const ProgramText& program() const { return program_; }
   /// In the order of the help: group by group.
   const std::vector<OptionRow>& rows() const { return rows_; }
+
+  bool hasGroup(OptionGroup group) const;
 
   /// The row of a long name or alias, without dashes; '_' reads as '-'. Null where there is none.
   const OptionRow* byName(std::string_view name) const;
@@ -29,6 +35,9 @@ class OptionTable {
   std::string closestName(std::string_view name) const;
 
  private:
+  OptionTable() = default;
+
+  ProgramText program_;
   std::vector<OptionRow> rows_;
 };
 

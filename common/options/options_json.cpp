@@ -86,12 +86,13 @@ std::string optionsJson(const OptionTable& table, const std::string& version) {
   const char* nextLine = ",\n  ";
   Members groups;
   for (const EnumRow<OptionGroup>& group : EnumTable<OptionGroup>::kRows)
-    groups.push_back(named(group.name, group.help));
+    if (table.hasGroup(group.value))
+      groups.push_back(named(group.name, group.help));
   Members rows;
   for (const OptionRow& row : table.rows())
     rows.push_back(rowJson(row));
   Members members;
-  addText(members, "program", "gdal2qmesh");
+  addText(members, "program", table.program().name);
   addText(members, "version", version);
   add(members, "groups", "\n " + array(groups, nextLine));
   add(members, "options", "\n " + array(rows, nextLine));

@@ -28,7 +28,7 @@ bool startsNumber(std::string_view text) {
 }
 
 /// Turns words into assignments, in order, up to an option that asks for something else than a
-/// build.
+/// run.
 class WordReader {
  public:
   WordReader(const OptionTable& table, const std::vector<std::string>& words)
@@ -36,7 +36,7 @@ class WordReader {
 
   Status read();
 
-  Request request = Request::build;
+  Request request = Request::run;
   std::vector<Assignment> assignments;
 
  private:
@@ -56,7 +56,7 @@ class WordReader {
 
 Status WordReader::read() {
   bool optionsEnded = false;
-  while (next_ < words_.size() && request == Request::build) {
+  while (next_ < words_.size() && request == Request::run) {
     const std::string& word = words_[next_++];
     if (!optionsEnded && word == "--")
       optionsEnded = true;
@@ -165,6 +165,16 @@ std::vector<Assignment> notOverridden(const std::vector<Assignment>& file,
   return kept;
 }
 
+/// The file the command line names; empty for none.
+std::string configFileOf(const OptionTable& table, const std::vector<Assignment>& commandLine) {
+  const OptionRow* row = table.byName("config-file");
+  std::string path;
+  for (const Assignment& assignment : commandLine)
+    if (assignment.row == row)
+      path = assignment.value;
+  return path;
+}
+
 void warnOfIgnored(const std::vector<Assignment>& assignments, std::vector<std::string>& warnings) {
   for (const Assignment& assignment : assignments)
     if (!assignment.row->ignored.empty())
@@ -184,29 +194,38 @@ std::string defaultOutput(const std::string& input) {
   return name == input || name == "." || name == ".." ? std::string() : name;
 }
 
-Result<CommandLine> parseCommandLine(const OptionTable& table,
-                                     const std::vector<std::string>& words) {
+Result<ParsedWords> parseWords(const OptionTable& table, const std::vector<std::string>& words) {
   WordReader reader(table, words);
   QMESH_RETURN_IF_ERROR(reader.read());
-  CommandLine line;
-  line.request = reader.request;
-  if (line.request != Request::build)
-    return line;
-
-  QMESH_RETURN_IF_ERROR(applyAssignments(reader.assignments, line.options));
-  std::vector<Assignment> all;
-  if (!line.options.configFile.empty()) {
-    const auto file = readConfigFile(table, line.options.configFile);
+  ParsedWords parsed;
+  parsed.request = reader.request;
+  parsed.assignments = reader.assignments;
+  if (parsed.request != Request::run)
+    return parsed;
+  const std::string path = configFileOf(table, reader.assignments);
+  if (!path.empty()) {
+    const auto file = readConfigFile(table, path);
     if (!file.ok())
       return file.status();
-    all = notOverridden(*file, reader.assignments);
+    const std::vector<Assignment> kept = notOverridden(*file, reader.assignments);
+    parsed.assignments.insert(parsed.assignments.begin(), kept.begin(), kept.end());
   }
-  all.insert(all.end(), reader.assignments.begin(), reader.assignments.end());
-  line.options = BuildOptions();
-  QMESH_RETURN_IF_ERROR(applyAssignments(all, line.options));
-  warnOfIgnored(all, line.warnings);
+  warnOfIgnored(parsed.assignments, parsed.warnings);
+  return parsed;
+}
 
+Result<CommandLine> parseCommandLine(const OptionTable& table,
+                                     const std::vector<std::string>& words) {
+  Result<ParsedWords> parsed = parseWords(table, words);
+  if (!parsed.ok())
+    return parsed.status();
+  CommandLine line;
+  line.request = parsed->request;
+  if (line.request != Request::run)
+    return line;
+  line.warnings = parsed->warnings;
   BuildOptions& options = line.options;
+  QMESH_RETURN_IF_ERROR(applyAssignments(parsed->assignments, options));
   if (options.input.empty())
     return Status(Code::usage, "INPUT is missing: name a DEM to read");
   if (options.output.empty())

@@ -5,21 +5,34 @@
 #include <string>
 #include <vector>
 
+#include "options/assignment.h"
+#include "options/build_options.h"
 #include "options/option_table.h"
 
 namespace qmesh {
 
-/// A command line, understood.
+/// A command line of any program, not yet written into its options.
+struct ParsedWords {
+  Request request = Request::run;
+  std::vector<Assignment> assignments; ///< the configuration file's first
+  std::vector<std::string> warnings;   ///< sentences without "warning:"; for the caller to print
+};
+
+/// Reads the words after the program's name: options and their values in any order with the
+/// arguments, "--name value", "--name=value", "-x value", "-x5"; "--no-NAME" for a flag; "--" ends
+/// the options. A configuration file it names is read and overridden by the command line.
+/// Code::usage with one sentence where something is unknown or malformed.
+Result<ParsedWords> parseWords(const OptionTable& table, const std::vector<std::string>& words);
+
+/// A command line of gdal2qmesh, understood.
 struct CommandLine {
-  Request request = Request::build;
-  BuildOptions options;              ///< complete and checked where request is build
+  Request request = Request::run;
+  BuildOptions options;              ///< complete and checked where request is run
   std::vector<std::string> warnings; ///< sentences without "warning:"; for the caller to print
 };
 
-/// Reads the words after the program's name: options and their values in any order with INPUT and
-/// OUTPUT, "--name value", "--name=value", "-x value", "-x5"; "--no-NAME" for a flag; "--" ends the
-/// options. A configuration file it names is read first and overridden by the command line.
-/// Code::usage with one sentence where something is unknown, malformed or contradicts.
+/// parseWords() for gdal2qmesh, checked: Code::usage also where options contradict or INPUT is
+/// missing.
 Result<CommandLine> parseCommandLine(const OptionTable& table,
                                      const std::vector<std::string>& words);
 

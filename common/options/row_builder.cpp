@@ -3,6 +3,7 @@
 #include "options/row_builder.h"
 
 #include "base/text.h"
+#include "options/info_options.h"
 #include "options/level_spec.h"
 
 namespace qmesh {
@@ -66,58 +67,66 @@ Status checkNotEmpty(const std::string& text) {
 
 } // namespace
 
-RowBuilder::RowBuilder(OptionGroup group, std::string name, char letter) {
+template <class Options>
+BasicRowBuilder<Options>::BasicRowBuilder(OptionGroup group, std::string name, char letter) {
   row_.group = group;
   row_.name = std::move(name);
   row_.letter = letter;
 }
 
-RowBuilder& RowBuilder::alias(std::string name) {
+template <class Options>
+BasicRowBuilder<Options>& BasicRowBuilder<Options>::alias(std::string name) {
   row_.aliases.push_back(std::move(name));
   return *this;
 }
 
-RowBuilder& RowBuilder::value(std::string placeholder) {
+template <class Options>
+BasicRowBuilder<Options>& BasicRowBuilder<Options>::value(std::string placeholder) {
   row_.placeholder = std::move(placeholder);
   return *this;
 }
 
-RowBuilder& RowBuilder::unit(std::string unit) {
+template <class Options>
+BasicRowBuilder<Options>& BasicRowBuilder<Options>::unit(std::string unit) {
   row_.unit = std::move(unit);
   return *this;
 }
 
-RowBuilder& RowBuilder::help(std::string sentence) {
+template <class Options>
+BasicRowBuilder<Options>& BasicRowBuilder<Options>::help(std::string sentence) {
   row_.help = std::move(sentence);
   return *this;
 }
 
-RowBuilder& RowBuilder::whenUnset(std::string text) {
+template <class Options>
+BasicRowBuilder<Options>& BasicRowBuilder<Options>::whenUnset(std::string text) {
   row_.whenUnset = std::move(text);
   return *this;
 }
 
-RowBuilder& RowBuilder::refusal(std::string text) {
+template <class Options>
+BasicRowBuilder<Options>& BasicRowBuilder<Options>::refusal(std::string text) {
   row_.refusal = std::move(text);
   return *this;
 }
 
-RowBuilder& RowBuilder::position(int n) {
+template <class Options> BasicRowBuilder<Options>& BasicRowBuilder<Options>::position(int n) {
   row_.position = n;
   return *this;
 }
 
-RowBuilder& RowBuilder::advanced() {
+template <class Options> BasicRowBuilder<Options>& BasicRowBuilder<Options>::advanced() {
   row_.advanced = true;
   return *this;
 }
 
-RowBuilder& RowBuilder::words(int n) {
+template <class Options> BasicRowBuilder<Options>& BasicRowBuilder<Options>::words(int n) {
   row_.values = n;
   return *this;
 }
 
-RowBuilder& RowBuilder::powersOfTwo(int first, int last) {
+template <class Options>
+BasicRowBuilder<Options>& BasicRowBuilder<Options>::powersOfTwo(int first, int last) {
   row_.minimum = first;
   row_.maximum = last;
   for (int n = first; n <= last; n *= 2)
@@ -125,30 +134,38 @@ RowBuilder& RowBuilder::powersOfTwo(int first, int last) {
   return *this;
 }
 
-RowBuilder& RowBuilder::commandLineOnly() {
+template <class Options> BasicRowBuilder<Options>& BasicRowBuilder<Options>::commandLineOnly() {
   row_.commandLineOnly = true;
   return *this;
 }
 
-RowBuilder& RowBuilder::custom(OptionType type, decltype(OptionRow::set) set,
-                               decltype(OptionRow::get) get) {
+template <class Options>
+BasicRowBuilder<Options>&
+BasicRowBuilder<Options>::custom(OptionType type,
+                                 std::function<Status(Options&, const std::string&)> set,
+                                 std::function<std::string(const Options&)> get) {
   row_.type = type;
-  row_.set = std::move(set);
-  row_.get = std::move(get);
+  row_.initial = get(Options());
+  row_.set = [set = std::move(set)](OptionValues& options, const std::string& text) {
+    return set(static_cast<Options&>(options), text);
+  };
+  row_.get = [get = std::move(get)](const OptionValues& options) {
+    return get(static_cast<const Options&>(options));
+  };
   return *this;
 }
 
-RowBuilder& RowBuilder::flag(bool BuildOptions::*field) {
+template <class Options>
+BasicRowBuilder<Options>& BasicRowBuilder<Options>::flag(bool Options::*field) {
   row_.values = 0;
   return custom(
       OptionType::flag,
-      [=](BuildOptions& options, const std::string& text) {
-        return setSwitch(options.*field, text);
-      },
-      [=](const BuildOptions& options) { return switchText(options.*field); });
+      [=](Options& options, const std::string& text) { return setSwitch(options.*field, text); },
+      [=](const Options& options) { return switchText(options.*field); });
 }
 
-RowBuilder& RowBuilder::onOff(bool BuildOptions::*field) {
+template <class Options>
+BasicRowBuilder<Options>& BasicRowBuilder<Options>::onOff(bool Options::*field) {
   flag(field);
   row_.values = 1;
   row_.type = OptionType::choice;
@@ -156,43 +173,50 @@ RowBuilder& RowBuilder::onOff(bool BuildOptions::*field) {
   return *this;
 }
 
-RowBuilder& RowBuilder::text(std::string BuildOptions::*field, OptionType type, bool mayBeEmpty) {
+template <class Options>
+BasicRowBuilder<Options>& BasicRowBuilder<Options>::text(std::string Options::*field,
+                                                         OptionType type, bool mayBeEmpty) {
   return custom(
       type,
-      [=](BuildOptions& options, const std::string& text) -> Status {
+      [=](Options& options, const std::string& text) -> Status {
         if (!mayBeEmpty)
           QMESH_RETURN_IF_ERROR(checkNotEmpty(text));
         options.*field = text;
         return {};
       },
-      [=](const BuildOptions& options) { return options.*field; });
+      [=](const Options& options) { return options.*field; });
 }
 
-RowBuilder& RowBuilder::spec(std::string BuildOptions::*field) {
+template <class Options>
+BasicRowBuilder<Options>& BasicRowBuilder<Options>::spec(std::string Options::*field) {
   return custom(
       OptionType::spec,
-      [=](BuildOptions& options, const std::string& text) -> Status {
+      [=](Options& options, const std::string& text) -> Status {
         const Result<LevelSpec> spec = LevelSpec::parse(text);
         if (!spec.ok())
           return spec.status();
         options.*field = text;
         return {};
       },
-      [=](const BuildOptions& options) { return options.*field; });
+      [=](const Options& options) { return options.*field; });
 }
 
-RowBuilder& RowBuilder::spec(std::string BuildOptions::*field, double minimum, double maximum) {
+template <class Options>
+BasicRowBuilder<Options>& BasicRowBuilder<Options>::spec(std::string Options::*field,
+                                                         double minimum, double maximum) {
   row_.minimum = minimum;
   if (maximum < std::numeric_limits<double>::infinity())
     row_.maximum = maximum;
   return spec(field);
 }
 
-RowBuilder& RowBuilder::choice(std::string BuildOptions::*field, std::vector<Choice> choices) {
+template <class Options>
+BasicRowBuilder<Options>& BasicRowBuilder<Options>::choice(std::string Options::*field,
+                                                           std::vector<Choice> choices) {
   row_.choices = std::move(choices);
   return custom(
       OptionType::choice,
-      [field, known = row_.choices](BuildOptions& options, const std::string& text) -> Status {
+      [field, known = row_.choices](Options& options, const std::string& text) -> Status {
         for (const Choice& choice : known) {
           if (!equalIgnoringCase(choice.name, text))
             continue;
@@ -201,35 +225,42 @@ RowBuilder& RowBuilder::choice(std::string BuildOptions::*field, std::vector<Cho
         }
         return expected(namesOf(known));
       },
-      [=](const BuildOptions& options) { return options.*field; });
+      [=](const Options& options) { return options.*field; });
 }
 
-RowBuilder& RowBuilder::list(std::vector<std::string> BuildOptions::*field, OptionType type) {
+template <class Options>
+BasicRowBuilder<Options>& BasicRowBuilder<Options>::list(std::vector<std::string> Options::*field,
+                                                         OptionType type) {
   row_.repeatable = true;
   return custom(
       type,
-      [=](BuildOptions& options, const std::string& text) -> Status {
+      [=](Options& options, const std::string& text) -> Status {
         QMESH_RETURN_IF_ERROR(type == OptionType::keyValue ? checkKeyValue(text)
                                                            : checkNotEmpty(text));
         (options.*field).push_back(text);
         return {};
       },
-      [=](const BuildOptions& options) { return join(options.*field, ", "); });
+      [=](const Options& options) { return join(options.*field, ", "); });
 }
 
-RowBuilder& RowBuilder::noEffect(std::string why, int values) {
+template <class Options>
+BasicRowBuilder<Options>& BasicRowBuilder<Options>::noEffect(std::string why, int values) {
   row_.ignored = std::move(why);
   row_.values = values;
   return custom(
       values == 0 ? OptionType::flag : OptionType::text,
-      [](BuildOptions&, const std::string&) { return Status(); },
-      [](const BuildOptions&) { return std::string(); });
+      [](Options&, const std::string&) { return Status(); },
+      [](const Options&) { return std::string(); });
 }
 
-RowBuilder& RowBuilder::request(Request request) {
+template <class Options>
+BasicRowBuilder<Options>& BasicRowBuilder<Options>::request(Request request) {
   noEffect("");
   row_.request = request;
   return commandLineOnly();
 }
+
+template class BasicRowBuilder<BuildOptions>;
+template class BasicRowBuilder<InfoOptions>;
 
 } // namespace qmesh

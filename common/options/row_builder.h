@@ -2,6 +2,7 @@
 // Copyright (c) 2026 the qmesh authors
 #pragma once
 
+#include <functional>
 #include <limits>
 #include <string>
 #include <type_traits>
@@ -9,69 +10,75 @@
 #include <vector>
 
 #include "base/text.h"
+#include "options/build_options.h"
 #include "options/option_row.h"
 
 namespace qmesh {
 
 /// Fills one OptionRow, so that a row of the table reads as one sentence. A function that names a
-/// field also sets the type, the reader and the writer.
-class RowBuilder {
+/// field also sets the type, the reader and the writer. `Options`: the struct the fields are of, a
+/// BuildOptions or one derived from it; instances for each are made in row_builder.cpp.
+template <class Options> class BasicRowBuilder {
  public:
-  RowBuilder(OptionGroup group, std::string name, char letter = 0);
+  BasicRowBuilder(OptionGroup group, std::string name, char letter = 0);
   operator OptionRow() const { return row_; } // NOLINT
 
-  RowBuilder& alias(std::string name);
-  RowBuilder& value(std::string placeholder);
-  RowBuilder& unit(std::string unit);
-  RowBuilder& help(std::string sentence);
-  RowBuilder& whenUnset(std::string text);
-  RowBuilder& refusal(std::string text);
-  RowBuilder& position(int n);
-  RowBuilder& advanced();
+  BasicRowBuilder& alias(std::string name);
+  BasicRowBuilder& value(std::string placeholder);
+  BasicRowBuilder& unit(std::string unit);
+  BasicRowBuilder& help(std::string sentence);
+  BasicRowBuilder& whenUnset(std::string text);
+  BasicRowBuilder& refusal(std::string text);
+  BasicRowBuilder& position(int n);
+  BasicRowBuilder& advanced();
   /// Words its value takes on a command line.
-  RowBuilder& words(int n);
+  BasicRowBuilder& words(int n);
   /// Shown as the choices of a number that goes by doubling.
-  RowBuilder& powersOfTwo(int first, int last);
+  BasicRowBuilder& powersOfTwo(int first, int last);
 
   /// No value: on where named, off after "--no-NAME".
-  RowBuilder& flag(bool BuildOptions::*field);
+  BasicRowBuilder& flag(bool Options::*field);
   /// A value, on or off.
-  RowBuilder& onOff(bool BuildOptions::*field);
+  BasicRowBuilder& onOff(bool Options::*field);
   /// Any text of a type without a grammar of its own; `mayBeEmpty` where "" means something.
-  RowBuilder& text(std::string BuildOptions::*field, OptionType type, bool mayBeEmpty = false);
+  BasicRowBuilder& text(std::string Options::*field, OptionType type, bool mayBeEmpty = false);
   /// A number per zoom (LevelSpec), kept as text.
-  RowBuilder& spec(std::string BuildOptions::*field);
+  BasicRowBuilder& spec(std::string Options::*field);
   /// The same with the range its values must lie in at every zoom of a run (checkSpecs()).
-  RowBuilder& spec(std::string BuildOptions::*field, double minimum, double maximum);
+  BasicRowBuilder& spec(std::string Options::*field, double minimum, double maximum);
   /// One of the names.
-  RowBuilder& choice(std::string BuildOptions::*field, std::vector<Choice> choices);
+  BasicRowBuilder& choice(std::string Options::*field, std::vector<Choice> choices);
   /// Adds a text at each use.
-  RowBuilder& list(std::vector<std::string> BuildOptions::*field, OptionType type);
+  BasicRowBuilder& list(std::vector<std::string> Options::*field, OptionType type);
   /// A grammar of its own.
-  RowBuilder& custom(OptionType type, decltype(OptionRow::set) set, decltype(OptionRow::get) get);
+  BasicRowBuilder& custom(OptionType type, std::function<Status(Options&, const std::string&)> set,
+                          std::function<std::string(const Options&)> get);
   /// Read and without effect; `why` is part of the warning, empty for none. `values` is 0 or 1.
-  RowBuilder& noEffect(std::string why, int values = 0);
+  BasicRowBuilder& noEffect(std::string why, int values = 0);
   /// Asks for something else than a build.
-  RowBuilder& request(Request request);
-  RowBuilder& commandLineOnly();
+  BasicRowBuilder& request(Request request);
+  BasicRowBuilder& commandLineOnly();
 
   /// A whole number in a range, any int by default; Field is int, std::int64_t or an optional of
-  /// one. Owner is BuildOptions or a base of it, here and below.
+  /// one. Owner is Options or a base of it, here and below.
   template <class Field, class Owner>
-  RowBuilder& integer(Field Owner::*field, std::int64_t minimum,
-                      std::int64_t maximum = std::numeric_limits<int>::max());
+  BasicRowBuilder& integer(Field Owner::*field, std::int64_t minimum,
+                           std::int64_t maximum = std::numeric_limits<int>::max());
 
   /// A number in a range; Field is double or an optional of it.
   template <class Field, class Owner>
-  RowBuilder& number(Field Owner::*field, double minimum, double maximum);
+  BasicRowBuilder& number(Field Owner::*field, double minimum, double maximum);
 
   /// One of the names of an enum.
   template <class E, class Owner, class = std::enable_if_t<std::is_enum_v<E>>>
-  RowBuilder& choice(E Owner::*field);
+  BasicRowBuilder& choice(E Owner::*field);
 
  private:
   OptionRow row_;
 };
+
+/// For the rows of gdal2qmesh, and for those that other programs share with it.
+using RowBuilder = BasicRowBuilder<BuildOptions>;
 
 /// "expected WHAT" as a usage status.
 Status expected(const std::string& what);
@@ -96,14 +103,16 @@ template <class T> std::string fieldText(const std::optional<T>& value) {
   return value ? fieldText(*value) : std::string();
 }
 
+template <class Options>
 template <class Field, class Owner>
-RowBuilder& RowBuilder::integer(Field Owner::*field, std::int64_t minimum, std::int64_t maximum) {
+BasicRowBuilder<Options>&
+BasicRowBuilder<Options>::integer(Field Owner::*field, std::int64_t minimum, std::int64_t maximum) {
   row_.minimum = static_cast<double>(minimum);
   if (maximum < std::numeric_limits<int>::max())
     row_.maximum = static_cast<double>(maximum);
   return custom(
       OptionType::integer,
-      [=](BuildOptions& options, const std::string& text) -> Status {
+      [=](Options& options, const std::string& text) -> Status {
         const Result<std::int64_t> value = parseIntegerIn(text, minimum, maximum);
         if (!value.ok())
           return value.status();
@@ -113,38 +122,42 @@ RowBuilder& RowBuilder::integer(Field Owner::*field, std::int64_t minimum, std::
           options.*field = static_cast<typename Field::value_type>(*value);
         return {};
       },
-      [=](const BuildOptions& options) { return fieldText(options.*field); });
+      [=](const Options& options) { return fieldText(options.*field); });
 }
 
+template <class Options>
 template <class Field, class Owner>
-RowBuilder& RowBuilder::number(Field Owner::*field, double minimum, double maximum) {
+BasicRowBuilder<Options>& BasicRowBuilder<Options>::number(Field Owner::*field, double minimum,
+                                                           double maximum) {
   row_.minimum = minimum;
   row_.maximum = maximum;
   return custom(
       OptionType::number,
-      [=](BuildOptions& options, const std::string& text) -> Status {
+      [=](Options& options, const std::string& text) -> Status {
         const Result<double> value = parseNumberIn(text, minimum, maximum);
         if (!value.ok())
           return value.status();
         options.*field = *value;
         return {};
       },
-      [=](const BuildOptions& options) { return fieldText(options.*field); });
+      [=](const Options& options) { return fieldText(options.*field); });
 }
 
-template <class E, class Owner, class> RowBuilder& RowBuilder::choice(E Owner::*field) {
+template <class Options>
+template <class E, class Owner, class>
+BasicRowBuilder<Options>& BasicRowBuilder<Options>::choice(E Owner::*field) {
   row_.choices = enumChoices<E>();
   const std::string names = namesOf(row_.choices);
   return custom(
       OptionType::choice,
-      [=](BuildOptions& options, const std::string& text) -> Status {
+      [=](Options& options, const std::string& text) -> Status {
         const std::optional<E> value = enumValue<E>(text);
         if (!value)
           return expected(names);
         options.*field = *value;
         return {};
       },
-      [=](const BuildOptions& options) { return std::string(enumName(options.*field)); });
+      [=](const Options& options) { return std::string(enumName(options.*field)); });
 }
 
 } // namespace qmesh

@@ -28,7 +28,7 @@ int runCommand(const std::vector<std::string>& words) {
   const OptionTable table(methodChoices());
   const auto line = parseCommandLine(table, words);
   if (!line.ok()) {
-    console.usageError(usageLine(), line.status().message());
+    console.usageError(usageLine(table), line.status().message());
     return int(line.status().code());
   }
   switch (line->request) {
@@ -41,7 +41,8 @@ int runCommand(const std::vector<std::string>& words) {
   case Request::optionsJson:
     std::fputs(optionsJson(table, QMESH_VERSION).c_str(), stdout);
     return 0;
-  case Request::build:
+  case Request::listFindings:
+  case Request::run:
     break;
   }
   console.setQuiet(line->options.quiet);
@@ -51,7 +52,7 @@ int runCommand(const std::vector<std::string>& words) {
   installSignalHandlers();
   const Status status = runBuild(line->options, console);
   if (status.code() == Code::usage) {
-    console.usageError(usageLine(), status.message());
+    console.usageError(usageLine(table), status.message());
   } else if (!status.ok()) {
     console.error(status.message());
   }

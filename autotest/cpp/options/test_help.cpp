@@ -73,7 +73,7 @@ TEST(Help, LinesFitTheTerminal) {
 }
 
 TEST(Help, ExamplesParse) {
-  for (const Example& example : helpExamples()) {
+  for (const Example& example : testTable().program().examples) {
     std::vector<std::string> words;
     for (const std::string_view word : split(example.command, ' '))
       words.emplace_back(word);

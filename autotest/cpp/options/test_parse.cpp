@@ -139,7 +139,7 @@ TEST(Parse, Requests) {
   EXPECT_EQ(parse("-h")->request, Request::help);
   EXPECT_EQ(parse("a.tif b --version --nonsense")->request, Request::version);
   EXPECT_EQ(parse("--options-json")->request, Request::optionsJson);
-  EXPECT_EQ(parse("a.tif")->request, Request::build);
+  EXPECT_EQ(parse("a.tif")->request, Request::run);
 }
 
 TEST(Parse, OptionsWithoutEffectWarn) {

@@ -121,7 +121,7 @@ const std::map<std::string, std::set<std::string>> kSharing = {
     {"zoom", {"min-zoom", "max-zoom"}}, {"min-zoom", {"zoom"}}, {"max-zoom", {"zoom"}}};
 
 bool hasField(const OptionRow& row) {
-  return row.request == Request::build && row.ignored.empty() && row.name != "tmscompatible";
+  return row.request == Request::run && row.ignored.empty() && row.name != "tmscompatible";
 }
 
 TEST(Rows, EachHasACase) {

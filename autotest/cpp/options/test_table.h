@@ -2,6 +2,7 @@
 // Copyright (c) 2026 the qmesh authors
 #pragma once
 
+#include "options/build_options.h"
 #include "options/option_table.h"
 
 namespace qmesh {
