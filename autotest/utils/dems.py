@@ -11,16 +11,19 @@ import harness
 gdal.UseExceptions()
 
 
-def _real(file, window=None):
-    """A DEM of QMESH_TEST_DATA; `window` (column, row, columns, rows) is cut out unless all is run."""
+def _real(file, window=None, size=None):
+    """A DEM of QMESH_TEST_DATA; unless all is run, `window` (column, row, columns, rows) is cut out and
+    averaged to `size` (columns, rows)."""
 
     def get(path):
         source = harness.DATA / file
         if not source.exists():
             return None
-        if window is None or harness.FULL:
+        if (window is None and size is None) or harness.FULL:
             return source
-        gdal.Translate(str(path), str(source), srcWin=list(window))
+        cut = {"srcWin": list(window)} if window else {}
+        scaled = {"width": size[0], "height": size[1], "resampleAlg": "average"} if size else {}
+        gdal.Translate(str(path), str(source), **cut, **scaled)
         return path
 
     return get
@@ -65,6 +68,15 @@ SYNTHETIC = {
 SHIPPED = {"jacksboro": lambda path: harness.SHIPPED}
 
 DEMS = {**SHIPPED, **SYNTHETIC, **REAL}
+
+# For tests of every method: a few tiles of 64 cells at the native zoom.
+SMALL = {
+    "small_bigtujunga": _real("bigtujunga_srtm_30m_utm11n.tif", (700, 150, 120, 130)),
+    "small_montereybay": _real("montereybay_noaa_topobathy.tif", (250, 150, 190, 190)),
+    "small_celticsea": _real("celticsea_etopo1.tif", (120, 260, 170, 170)),
+    "small_slovenia": _real("slovenia_lidar_1m.tif", (300, 300, 200, 200), (100, 100)),
+    "small_global": _real("global_etopo_20min.tif", size=(512, 256)),
+}
 
 
 def write(path, values, transform=(10.0, 0.001, 0.0, 47.0, 0.0, -0.001), srs="EPSG:4326", **options):

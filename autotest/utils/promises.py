@@ -69,9 +69,10 @@ def rounding_bound(height, node_u, node_v, step):
     return bound
 
 
-def bounded(tiles, nodes, max_error=None, rounding=False):
+def bounded(tiles, nodes, max_error=None, rounding=False, promised=True):
     """P2: (faults, level -> largest error seen). `nodes`: the oracle's. `rounding`: a method that is
-    not driven by error may be as far off as rounding its vertices makes it."""
+    not driven by error may be as far off as rounding its vertices makes it; not `promised`: as far
+    as it likes, and what is left are cover and header."""
     limits = level_errors(tiles, max_error)
     u, faults, reached = node_u(nodes.cells), [], {}
     for z, x, y in sorted(tiles.available()):
@@ -88,6 +89,8 @@ def bounded(tiles, nodes, max_error=None, rounding=False):
         if rounding:
             step = nodes.scheme.lattice_step(z, limit)
             limit = max(limit, float(rounding_bound(height, u, v, step).max()))
+        if not promised:
+            limit = np.inf
         if error.max() > limit + FLOAT_SLACK:
             j, i = np.unravel_index(int(error.argmax()), error.shape)
             faults.append(

@@ -9,11 +9,12 @@ import pytest
 
 def shared_dems(folder, missing=None):
     """A function name -> path of that DEM; skips where a real DEM is not there and adds its name to `missing`."""
+    makers = {**dem_table.DEMS, **dem_table.SMALL}
     made = {}
 
     def get(name):
         if name not in made:
-            made[name] = dem_table.DEMS[name](folder / f"{name}.tif")
+            made[name] = makers[name](folder / f"{name}.tif")
         if made[name] is None:
             if missing is not None:
                 missing.append(name)

@@ -1,46 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the qmesh authors
 // Promise P1 through all of mesh, border and simplify: neighbours cut from one field.
-#include <map>
-
 #include <gtest/gtest.h>
 
-#include "mesh/normals.h"
-#include "simplified.h"
+#include "seam.h"
 
 namespace qmesh {
 namespace {
 
 using namespace test;
-
-struct SeamVertex {
-  double height;
-  std::array<std::uint8_t, 2> normal;
-};
-
-/// The vertices on one edge by their position along it.
-std::map<int, SeamVertex> seam(const Simplified& made, const HeightTile& tile, Edge edge) {
-  const std::vector<std::uint8_t> normals = octNormals(tile, made.frame, made.tin);
-  std::map<int, SeamVertex> vertices;
-  for (std::size_t k = 0; k < made.tin.vertices.size(); ++k) {
-    const TinVertex& vertex = made.tin.vertices[k];
-    const bool alongRow = edge == kSouth || edge == kNorth;
-    const int across = alongRow ? vertex.v : vertex.u;
-    if (across == (edge == kWest || edge == kSouth ? 0 : kQuantizedMax))
-      vertices[alongRow ? vertex.u : vertex.v] = {made.frame.decode(vertex.q),
-                                                  {normals[2 * k], normals[2 * k + 1]}};
-  }
-  return vertices;
-}
-
-void expectSeamless(const std::map<int, SeamVertex>& a, const std::map<int, SeamVertex>& b) {
-  ASSERT_EQ(a.size(), b.size());
-  for (auto x = a.begin(), y = b.begin(); x != a.end(); ++x, ++y) {
-    EXPECT_EQ(x->first, y->first);
-    EXPECT_NEAR(x->second.height, y->second.height, 0.001);
-    EXPECT_EQ(x->second.normal, y->second.normal);
-  }
-}
 
 TEST(Seams, NeighboursAgree) {
   using P = Profile;
@@ -63,11 +31,11 @@ TEST(Seams, NeighboursAgree) {
         const LevelParams level = place.level(maxError);
         const HeightTile hereTile = patch.tile(0, 0), eastTile = patch.tile(1, 0);
         const Simplified here = simplify(hereTile, level), east = simplify(eastTile, level);
-        expectSeamless(seam(here, hereTile, kEast), seam(east, eastTile, kWest));
+        expectSeamless(seam(hereTile, here, kEast), seam(eastTile, east, kWest));
         if (twoRows) {
           const HeightTile northTile = patch.tile(0, 1);
           const Simplified north = simplify(northTile, level);
-          expectSeamless(seam(here, hereTile, kNorth), seam(north, northTile, kSouth));
+          expectSeamless(seam(hereTile, here, kNorth), seam(northTile, north, kSouth));
         }
       }
     }
@@ -79,7 +47,7 @@ TEST(Seams, APoleHasOneHeight) {
     const Place place{Profile::geodetic, 2, 5, y, 64};
     const TerrainPatch patch(place.lattice(), place.id(), 1, 1, Terrain::fractal, 8);
     const Simplified made = simplify(patch.tile(), place.level(50));
-    const auto pole = seam(made, patch.tile(), y == 0 ? kSouth : kNorth);
+    const auto pole = seam(patch.tile(), made, y == 0 ? kSouth : kNorth);
     for (const auto& [position, vertex] : pole)
       EXPECT_EQ(vertex.height, pole.begin()->second.height) << position;
   }

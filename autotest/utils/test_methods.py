@@ -1,0 +1,100 @@
+# SPDX-License-Identifier: MIT
+# Copyright (c) 2026 the qmesh authors
+"""Every method of the command on real terrain: P1, P2 where it bounds the error, P3 and P6. A few
+zooms with small tiles, at most 40 tiles a set; with QMESH_FULL all zooms with tiles of 256 cells."""
+
+import json
+import subprocess
+
+import pytest
+
+import harness
+import promises
+
+BOUNDED = {"greedy", "collapse", "quadtree"}  # within the max error with their defaults
+UNBOUNDED = {"delaunay", "qem", "grid", "random", "hierarchy", "wlop"}
+DEMS = {
+    "small_bigtujunga": "11-",
+    "small_montereybay": "9-",
+    "small_celticsea": "6-",
+    "small_slovenia": "16-18",
+    "small_global": "1-",
+}
+MOST_TILES = 40
+# The command samples these where the oracle does, so the errors told can be compared.
+AFFINE = {"small_celticsea", "small_global"}
+
+
+def methods_of_this_build():
+    text = subprocess.run(
+        [str(harness.BIN), "--options-json"], capture_output=True, check=True, text=True
+    ).stdout
+    rows = {row["name"]: row for row in json.loads(text)["options"]}
+    return [choice["name"] for choice in rows["method"]["choices"]]
+
+
+METHODS = methods_of_this_build()
+every_set = pytest.mark.parametrize(
+    "method, name", [(method, name) for method in METHODS for name in DEMS]
+)
+
+
+def options(method, name):
+    common = ("-q", "--method", method)
+    return common if harness.FULL else (*common, "--tilesize", 64, "-z", DEMS[name])
+
+
+def cells():
+    return 256 if harness.FULL else 64
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_it_is_known_what_a_method_promises(method):
+    assert method in BOUNDED | UNBOUNDED, "say in this file whether it bounds the error"
+
+
+@every_set
+def test_every_tile_is_valid_and_no_seam_shows(tile_set, method, name):
+    """P6, P1"""
+    tiles = tile_set(name, *options(method, name))
+    assert harness.FULL or len(tiles.available()) <= MOST_TILES
+    promises.none(promises.valid(tiles))
+    faults, seams = promises.seamless(tiles)
+    promises.none(faults)
+    assert seams > 0
+
+
+@every_set
+def test_the_error_is_bounded_or_told(tile_set, dem, method, name):
+    """P2 for the methods that promise it; every method says how far off it is."""
+    tiles = tile_set(name, *options(method, name))
+    nodes = promises.nodes_of(dem(name), "geodetic", cells(), max(tiles.levels()))
+    faults, reached = promises.bounded(tiles, nodes, promised=method in BOUNDED)
+    promises.none(faults)
+    if name in AFFINE:
+        for level in tiles.layer["qmesh"]["levels"]:
+            assert level["errorReached"] == pytest.approx(reached[level["zoom"]], abs=2e-3)
+
+
+@every_set
+def test_the_bytes_do_not_depend_on_the_work(dem, tile_set, tmp_path, method, name):
+    """P3"""
+    usual = tile_set(name, *options(method, name))
+    other = tmp_path / "other"
+    run = harness.gdal2qmesh(
+        *options(method, name), "-j", 3, "--block-tiles", 2, dem(name), other
+    )
+    run.succeeded()
+    assert harness.tree(other) == harness.tree(usual.folder)
+
+
+def triangles(tiles):
+    return sum(len(tiles.tile(*name).triangles) for name in tiles.available())
+
+
+@pytest.mark.parametrize("name", ["small_bigtujunga", "small_montereybay", "small_celticsea"])
+@pytest.mark.parametrize("method", [m for m in METHODS if m != "delaunay"])
+def test_without_parameters_it_makes_about_as_many_triangles_as_greedy(tile_set, method, name):
+    mine = triangles(tile_set(name, *options(method, name)))
+    greedy = triangles(tile_set(name, *options("greedy", name)))
+    assert greedy / 3 < mine < greedy * 3
