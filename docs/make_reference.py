@@ -1,0 +1,102 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+# Copyright (c) 2026 the qmesh authors
+"""The tables of options in docs/reference, made from what the programs say of themselves.
+
+    python3 docs/make_reference.py            writes them
+    python3 docs/make_reference.py --check    says which differ, exit code 1 where one does
+
+The programs are those of build/bin (QMESH_BIN names another gdal2qmesh, the others lie beside it).
+"""
+
+import json
+import os
+import pathlib
+import subprocess
+import sys
+
+DOCS = pathlib.Path(__file__).resolve().parent
+BIN = pathlib.Path(os.environ.get("QMESH_BIN", DOCS.parent / "build/bin/gdal2qmesh")).parent
+
+
+def said_by(program, *words):
+    return subprocess.run([BIN / program, *words], check=True, capture_output=True, text=True).stdout
+
+
+def cell(text):
+    return text.replace("|", "\\|").replace("<", "&lt;")
+
+
+def switches(row):
+    """How the option is written: letter, names and placeholder, as code."""
+    if row.get("position"):
+        return f"`{row['placeholder']}`"
+    on = row["type"] == "flag" and row.get("default") == "on"
+    names = [f"-{row['letter']}"] if "letter" in row else []
+    names.append(("--[no-]" if on else "--") + row["name"])
+    names += [f"--{alias}" for alias in row.get("aliases", [])]
+    value = f" {row['placeholder']}" if row.get("placeholder") else ""
+    return f"`{cell(', '.join(names) + value)}`"
+
+
+def value_range(row):
+    if "minimum" not in row or row.get("choices"):
+        return row.get("unit", "")
+    high = f" to {row['maximum']:g}" if "maximum" in row else " or more"
+    return f"{row['minimum']:g}{high} {row.get('unit', '')}".strip()
+
+
+def meaning(row):
+    text = cell(row["help"])
+    choices = [f"`{c['name']}`" + (f": {cell(c['help'])}" if c.get("help") else "") for c in row.get("choices", [])]
+    if choices:
+        text += " " + "; ".join(choices) + "."
+    notes = [value_range(row), "repeatable" if row.get("repeatable") else "", "advanced" if row.get("advanced") else ""]
+    notes = [note for note in notes if note]
+    return text + (f" *({', '.join(notes)})*" if notes else "")
+
+
+def default(row):
+    value = row.get("default", "")
+    if value and value != "off":
+        return f"`{cell(value)}`"
+    return "" if value else cell(row.get("whenUnset", ""))
+
+
+def options_page(program):
+    said = json.loads(said_by(program, "--options-json"))
+    lines = []
+    for group in said["groups"]:
+        rows = [row for row in said["options"] if row["group"] == group["name"]]
+        if not rows:
+            continue
+        lines += [f"### {group['name']}", "", group["help"][0].upper() + group["help"][1:] + ".", ""]
+        lines += ["| option | meaning | default |", "|---|---|---|"]
+        lines += [f"| {switches(row)} | {meaning(row)} | {default(row)} |" for row in rows]
+        lines.append("")
+    return "\n".join(lines)
+
+
+PAGES = {
+    "options-gdal2qmesh.md": lambda: options_page("gdal2qmesh"),
+}
+
+
+def main():
+    check = "--check" in sys.argv[1:]
+    stale = []
+    for name, make in PAGES.items():
+        path, text = DOCS / "reference" / name, make().rstrip() + "\n"
+        if path.exists() and path.read_text() == text:
+            continue
+        stale.append(name)
+        if not check:
+            path.parent.mkdir(exist_ok=True)
+            path.write_text(text)
+    if check and stale:
+        print("docs/reference is not what the programs say; run docs/make_reference.py:", *stale)
+    return 1 if check and stale else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
