@@ -16,6 +16,8 @@ QMESH_TEST_PACKAGES=(
   node:nodejs npm:npm "chromium|chromium-browser"
   pkg-config:pkg-config man:man-db
 )
+QMESH_DOCS_PACKAGES=(python3-sphinx python3-myst-parser furo)
+QMESH_DOCS_TEST_PACKAGES=(nginx-light apache2-bin man-db)
 
 qmesh_installed() {
   [ "$(dpkg-query -W -f='${db:Status-Status}' "$1" 2>/dev/null)" = installed ]
