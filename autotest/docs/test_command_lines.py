@@ -30,6 +30,8 @@ ELSEWHERE_BEGINNINGS = {
     "python3 autotest/bench/": "autotest/utils/test_bench.py; the long ones by hand for docs/benchmarks.md",
     "build/bin/bench_": "autotest/run.sh, stage `benchmark programs`",
     "qgis_process": "autotest/qgis",
+    "export PKG_CONFIG_PATH=": "autotest/install",
+    "c++ -std=c++17 my_program.cpp": "autotest/install",
 }
 
 
