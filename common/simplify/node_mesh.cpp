@@ -19,6 +19,19 @@ void NodeMesh::reset(const HeightTile& tile, const TileFrame& frame, const Borde
   }
 }
 
+void NodeMesh::reset(const HeightTile& tile, const TileFrame& frame, const Tin& tin) {
+  tile_ = &tile;
+  frame_ = &frame;
+  given_.clear();
+  for (const TinVertex& v : tin.vertices) {
+    NodeVertex vertex = makeVertex(frame.nearestColumn(v.u), frame.nearestRow(v.v), v.u, v.v);
+    vertex.q = v.q;
+    vertex.corner.height = frame.decode(v.q) - frame.minHeight();
+    given_.push_back(vertex);
+  }
+  triangulation_.reset(given_, tin.triangles);
+}
+
 void NodeMesh::insertEdge(const std::vector<std::uint16_t>& places, Edge edge) {
   const int n = frame_->cells();
   const bool far = edge == kEast || edge == kNorth;

@@ -21,6 +21,10 @@ class NodeMesh {
   /// REQUIRES: the tile and the frame live as long as the mesh is used.
   void reset(const HeightTile& tile, const TileFrame& frame, const Border& border, int baseGrid);
 
+  /// Begins with a TIN of any vertices; each counts as one of the node nearest to it.
+  /// REQUIRES: as above, and checkTin() passes.
+  void reset(const HeightTile& tile, const TileFrame& frame, const Tin& tin);
+
   /// The vertex for node (i, j) at the frame's place or at another one.
   NodeVertex makeVertex(int i, int j) const;
   NodeVertex makeVertex(int i, int j, int u, int v) const;
@@ -43,6 +47,7 @@ class NodeMesh {
   const TileFrame* frame_ = nullptr;
   Triangulation triangulation_;
   std::vector<std::uint32_t> newIndex_;
+  std::vector<NodeVertex> given_;
 };
 
 } // namespace qmesh

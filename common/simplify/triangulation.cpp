@@ -2,7 +2,9 @@
 // Copyright (c) 2026 the qmesh authors
 #include "simplify/triangulation.h"
 
+#include <algorithm>
 #include <cassert>
+#include <numeric>
 
 namespace qmesh {
 
@@ -34,6 +36,30 @@ void Triangulation::reset(const std::array<NodeVertex, 4>& corners) {
   link(3 * first + 2, 3 * second);
 }
 
+void Triangulation::reset(const std::vector<NodeVertex>& vertices,
+                          const std::vector<TinTriangle>& triangles) {
+  vertices_ = vertices;
+  leaving_.assign(vertices.size(), kNone);
+  origin_.clear();
+  twin_.clear();
+  isChanged_.clear();
+  changed_.clear();
+  for (const TinTriangle& t : triangles) {
+    const std::int32_t slot = newTriangle();
+    setTriangle(slot, std::int32_t(t[0]), std::int32_t(t[1]), std::int32_t(t[2]));
+  }
+  // The two half-edges of an edge, sorted by its vertices, are neighbours.
+  std::vector<std::int32_t> byEdge(origin_.size());
+  std::iota(byEdge.begin(), byEdge.end(), 0);
+  const auto ends = [this](std::int32_t e) { return std::minmax({origin(e), origin(next(e))}); };
+  std::sort(byEdge.begin(), byEdge.end(),
+            [&](std::int32_t a, std::int32_t b) { return ends(a) < ends(b); });
+  for (std::size_t k = 1; k < byEdge.size(); ++k) {
+    if (ends(byEdge[k - 1]) == ends(byEdge[k]))
+      link(byEdge[k - 1], byEdge[k]);
+  }
+}
+
 std::int32_t Triangulation::newTriangle() {
   const std::int32_t t = triangleSlots();
   origin_.resize(origin_.size() + 3, kNone);
@@ -57,6 +83,13 @@ void Triangulation::markChanged(std::int32_t t) {
     return;
   isChanged_[std::size_t(t)] = 1;
   changed_.push_back(t);
+}
+
+void Triangulation::markAllChanged() {
+  for (std::int32_t t = 0; t < triangleSlots(); ++t) {
+    if (alive(t))
+      markChanged(t);
+  }
 }
 
 void Triangulation::forgetChanges() {

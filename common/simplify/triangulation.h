@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "mesh/tin.h"
 #include "mesh/triangle_spans.h"
 
 namespace qmesh {
@@ -33,6 +34,10 @@ class Triangulation {
   /// south-west.
   void reset(const std::array<NodeVertex, 4>& corners);
 
+  /// Takes over a triangulation made elsewhere. REQUIRES: it covers the square, its triangles are
+  /// counter-clockwise.
+  void reset(const std::vector<NodeVertex>& vertices, const std::vector<TinTriangle>& triangles);
+
   /// Adds a vertex in the triangle that holds it; the search begins at `hint`.
   /// REQUIRES: no vertex at its place; it lies within the square. Returns its index.
   std::int32_t insert(const NodeVertex& vertex, std::int32_t hint);
@@ -59,8 +64,6 @@ class Triangulation {
   const std::vector<NodeVertex>& vertices() const { return vertices_; }
   const NodeVertex& vertex(std::int32_t v) const { return vertices_[std::size_t(v)]; }
   const NodeVertex& cornerOf(std::int32_t t, int k) const { return vertex(origin(3 * t + k)); }
-  /// Gives an inner vertex another height; its triangles count as changed.
-
   /// A half-edge that leaves the vertex, kNone where it was collapsed.
   std::int32_t leaving(std::int32_t v) const { return leaving_[std::size_t(v)]; }
 
@@ -69,6 +72,7 @@ class Triangulation {
   bool isChanged(std::int32_t t) const { return isChanged_[std::size_t(t)] != 0; }
   void clearChanged(std::int32_t t) { isChanged_[std::size_t(t)] = 0; }
   void markChanged(std::int32_t t);
+  void markAllChanged();
   void forgetChanges();
 
  private:
