@@ -169,6 +169,8 @@ stage count_pytest "install" 10 "${pytest[@]}" autotest/install
 if [ "$mode" != quick ]; then
   stage count_none "node packages" 10 node_packages &&
     stage count_pytest "clients" 15 "${pytest[@]}" autotest/clients
+  stage count_none "QGIS packages" 10 qmesh_install "${QMESH_QGIS_PACKAGES[@]}" &&
+    stage count_pytest "QGIS" 10 /usr/bin/python3 -m pytest -rs -q -p no:cacheprovider autotest/qgis
   stage count_one "benchmark programs" 5 bench_programs
   stage count_none "build with sanitizers" 15 build_preset sanitize &&
     stage count_ctest "unit tests with sanitizers" 15 unit_tests build-sanitize
