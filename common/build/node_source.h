@@ -43,6 +43,9 @@ class NodeSourceFactory {
   /// Height of a pole (south: lowest row), one value for all levels; NaN where there is no data.
   virtual double poleHeight(bool north) const = 0;
 
+  /// Called first in every thread of the work but the one that opened the input.
+  virtual void enterThread() const {}
+
   /// A source for one thread that samples this lattice; opens its own dataset.
   virtual Result<std::unique_ptr<NodeSource>> open(const NodeLattice& lattice) const = 0;
 

@@ -55,6 +55,9 @@ struct BuildReport {
   LevelStats total() const;
 };
 
+/// Promises that did not hold somewhere, each a sentence with the number of tiles.
+std::vector<std::string> reportWarnings(const BuildReport& report);
+
 /// The report as one JSON object; docs/gdal2qmesh.md names its keys.
 std::string reportJson(const BuildReport& report);
 

@@ -80,7 +80,7 @@ class Runner {
     std::vector<std::thread> team;
     for (std::size_t k = 0; k < count; ++k) {
       team.emplace_back([&] {
-        work(stage, stores, pass);
+        workSafely(stage, stores, pass);
         const std::lock_guard<std::mutex> lock(mutex_);
         --running_;
         finished_.notify_one();
@@ -133,6 +133,19 @@ class Runner {
     }
     const double tiles = double(shared_.tilesDone) / double(shared_.plan.tileCount());
     return twoPasses ? kUpShare + (1 - kUpShare) * tiles : tiles;
+  }
+
+  /// No exception may leave a thread: it would end the process, which may be somebody else's.
+  void workSafely(const Stage& stage, const StageStores& stores, Pass pass) {
+    try {
+      shared_.source.enterThread();
+      work(stage, stores, pass);
+    } catch (const std::bad_alloc&) {
+      fail({Code::internal,
+            "not enough memory; a smaller --memory or fewer --num-threads need less"});
+    } catch (const std::exception& fault) {
+      fail({Code::internal, std::string("a fault of this program: ") + fault.what()});
+    }
   }
 
   void work(const Stage& stage, const StageStores& stores, Pass pass) {

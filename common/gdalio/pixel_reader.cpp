@@ -18,10 +18,10 @@ constexpr int kRawPixels = 1 << 19;
 
 } // namespace
 
-PixelReader::PixelReader(GDALRasterBand& band, const PixelValues& values, const PixelLevel& level,
-                         int period, std::string path)
-    : band_(level.overview < 0 ? &band : band.GetOverview(level.overview)), values_(values),
-      level_(level), period_(period), path_(std::move(path)) {
+PixelReader::PixelReader(GDALRasterBand& band, const RasterInput& input, const PixelLevel& level,
+                         int period)
+    : band_(level.overview < 0 ? &band : band.GetOverview(level.overview)), input_(&input),
+      level_(level), period_(period) {
   const int flags = band_->GetMaskFlags();
   const bool byNodata = (flags & GMF_NODATA) && !(flags & GMF_PER_DATASET);
   if (!(flags & GMF_ALL_VALID) && !byNodata)
@@ -109,7 +109,7 @@ void PixelReader::storeMeans(int blockRows, int rawColumn, int width, float* out
 
 Status PixelReader::readRaw(int column, int row, int width, int height, float* out,
                             std::ptrdiff_t stride) {
-  if (!mask_ && values_.readType() == GDT_Float32)
+  if (!mask_ && input_->values.readType() == GDT_Float32)
     return readStrip(column, row, width, height, out, stride);
   const int columnsAtOnce = std::min(width, kStripPixels);
   const int rowsAtOnce = std::max(1, kStripPixels / columnsAtOnce);
@@ -124,28 +124,32 @@ Status PixelReader::readRaw(int column, int row, int width, int height, float* o
 Status PixelReader::readStrip(int column, int row, int width, int height, float* out,
                               std::ptrdiff_t stride) {
   QuietErrors errors;
-  const GDALDataType type = values_.readType();
+  const PixelValues& values = input_->values;
+  const GDALDataType type = values.readType();
   const bool direct = type == GDT_Float32;
   if (!direct)
     wide_.resize(std::size_t(width) * std::size_t(height));
   void* target = direct ? static_cast<void*>(out) : wide_.data();
   const std::ptrdiff_t pitch = direct ? stride : width;
+  std::unique_lock<std::mutex> lock = lockOf(input_->access.mutex());
   CPLErr failed = band_->RasterIO(GF_Read, column, row, width, height, target, width, height, type,
-                                  0, GSpacing(pitch) * values_.bytesPerPixel(), nullptr);
+                                  0, GSpacing(pitch) * values.bytesPerPixel(), nullptr);
   if (failed == CE_None && mask_) {
     maskBytes_.resize(std::size_t(width) * std::size_t(height));
     failed = mask_->RasterIO(GF_Read, column, row, width, height, maskBytes_.data(), width, height,
                              GDT_Byte, 0, 0, nullptr);
   }
+  if (lock)
+    lock.unlock();
   if (failed != CE_None)
-    return {Code::input,
-            errors.explain("'" + path_ + "' cannot be read at column " + std::to_string(column) +
-                           ", row " + std::to_string(row) + "; the file may be damaged")};
+    return {Code::input, errors.explain("'" + input_->path + "' cannot be read at column " +
+                                        std::to_string(column) + ", row " + std::to_string(row) +
+                                        "; the file may be damaged")};
   for (int r = 0; r < height; ++r) {
     float* line = out + r * stride;
     const void* raw =
         direct ? static_cast<const void*>(line) : wide_.data() + std::ptrdiff_t(r) * width;
-    values_.toHeights(raw, std::size_t(width), line);
+    values.toHeights(raw, std::size_t(width), line);
     const std::uint8_t* mask = mask_ ? maskBytes_.data() + std::ptrdiff_t(r) * width : nullptr;
     for (int c = 0; mask && c < width; ++c)
       if (mask[c] == 0)

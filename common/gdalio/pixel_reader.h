@@ -4,14 +4,13 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <string>
 #include <vector>
 
 #include <gdal_priv.h>
 
 #include "base/status.h"
 #include "gdalio/pixel_level.h"
-#include "gdalio/pixel_values.h"
+#include "gdalio/raster_input.h"
 
 namespace qmesh {
 
@@ -34,9 +33,9 @@ struct PixelWindow {
 /// Reads pixels of one level of a band as heights. Serves one thread.
 class PixelReader {
  public:
-  /// `band` must outlive the reader; `period`: columns of the level that make a full turn, or 0.
-  PixelReader(GDALRasterBand& band, const PixelValues& values, const PixelLevel& level, int period,
-              std::string path);
+  /// `band`, of a dataset of input.access, and `input` must outlive the reader; `period`: columns
+  /// of the level that make a full turn, or 0.
+  PixelReader(GDALRasterBand& band, const RasterInput& input, const PixelLevel& level, int period);
 
   /// Fills `window.data` for its rectangle. REQUIRES: rows inside the level; columns too unless
   /// they go round. Code::input where GDAL cannot read.
@@ -56,10 +55,9 @@ class PixelReader {
 
   GDALRasterBand* band_;
   GDALRasterBand* mask_ = nullptr; ///< null: no mask beside nodata
-  PixelValues values_;
+  const RasterInput* input_;
   PixelLevel level_;
   int period_;
-  std::string path_;
   std::vector<std::uint8_t> maskBytes_;
   std::vector<std::uint64_t> wide_; ///< pixels of 8 bytes before they become heights
   std::vector<float> raw_;          ///< pixels before they are averaged

@@ -4,35 +4,13 @@
 
 #include <algorithm>
 
-#include <cpl_conv.h>
 #include <cpl_string.h>
-#include <cpl_vsi.h>
 
 #include "gdalio/crs.h"
 #include "gdalio/quiet_errors.h"
 
 namespace qmesh {
 namespace {
-
-/// For as long as it lives, VRT files opened by this thread get sources of their own: GDAL would
-/// share them between all datasets that this thread opens, and those go to different threads.
-class UnsharedSources {
- public:
-  UnsharedSources() {
-    const char* now = CPLGetThreadLocalConfigOption(kKey, nullptr);
-    had_ = now != nullptr;
-    before_ = had_ ? now : "";
-    CPLSetThreadLocalConfigOption(kKey, "NO");
-  }
-  ~UnsharedSources() { CPLSetThreadLocalConfigOption(kKey, had_ ? before_.c_str() : nullptr); }
-  UnsharedSources(const UnsharedSources&) = delete;
-  UnsharedSources& operator=(const UnsharedSources&) = delete;
-
- private:
-  static constexpr const char* kKey = "VRT_SHARED_SOURCE";
-  bool had_ = false;
-  std::string before_;
-};
 
 Status bad(const std::string& path, const std::string& fault) {
   return {Code::input, "'" + path + "' " + fault};
@@ -99,43 +77,16 @@ Status readSrs(GDALDataset& dataset, const BuildOptions& options, RasterInput& o
 
 } // namespace
 
-void DatasetCloser::operator()(GDALDataset* dataset) const {
-  QuietErrors errors;
-  GDALClose(dataset);
-}
-
-Result<DatasetPtr> RasterInput::reopen() const {
-  CPLStringList drivers;
-  for (const std::string& name : formats)
-    drivers.AddString(name.c_str());
-  CPLStringList openPairs;
-  for (const std::string& pair : openOptions)
-    openPairs.AddString(pair.c_str());
-  QuietErrors errors;
-  const UnsharedSources unshared;
-  DatasetPtr dataset(GDALDataset::Open(path.c_str(),
-                                       GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR,
-                                       formats.empty() ? nullptr : drivers.List(),
-                                       openOptions.empty() ? nullptr : openPairs.List()));
-  if (dataset)
-    return dataset;
-  VSIStatBufL info;
-  const bool exists = VSIStatExL(path.c_str(), &info, VSI_STAT_EXISTS_FLAG) == 0;
-  return Status(Code::input,
-                exists ? errors.explain("'" + path + "' is not a raster GDAL can read")
-                       : "'" + path + "' does not exist or cannot be opened" + errors.explain(""));
-}
-
-Result<RasterInput> describeRaster(const BuildOptions& options,
+Result<RasterInput> describeRaster(const BuildOptions& options, GDALDataset* host,
                                    std::vector<std::string>& warnings) {
   if (GDALGetDriverCount() == 0)
     GDALAllRegister();
   RasterInput out;
   out.path = options.input;
-  out.formats = options.inputFormats;
-  out.openOptions = options.openOptions;
   out.band = options.band;
-  const Result<DatasetPtr> opened = out.reopen();
+  out.access = host ? DatasetAccess::ofHost(*host, out.band)
+                    : DatasetAccess::byName(out.path, options.inputFormats, options.openOptions);
+  const Result<DatasetPtr> opened = out.access.describe();
   if (!opened.ok())
     return opened.status();
   QuietErrors errors;

@@ -2,7 +2,6 @@
 // Copyright (c) 2026 the qmesh authors
 #pragma once
 
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -11,22 +10,17 @@
 
 #include "base/status.h"
 #include "gdalio/coverage.h"
+#include "gdalio/dataset_access.h"
 #include "gdalio/pixel_frame.h"
 #include "gdalio/pixel_values.h"
 #include "options/build_options.h"
 
 namespace qmesh {
 
-struct DatasetCloser {
-  void operator()(GDALDataset* dataset) const;
-};
-using DatasetPtr = std::unique_ptr<GDALDataset, DatasetCloser>;
-
-/// What is known about the input before a pixel is read: enough to open it again for each thread.
+/// What is known about the input before a pixel is read, and the way to its pixels.
 struct RasterInput {
-  std::string path;
-  std::vector<std::string> formats;     ///< --if
-  std::vector<std::string> openOptions; ///< --oo
+  std::string path; ///< for messages
+  DatasetAccess access;
   int band = 1;
   PixelFrame frame;
   OGRSpatialReference srs; ///< horizontal
@@ -34,13 +28,12 @@ struct RasterInput {
   PixelValues values;
   std::size_t blockBytes = 0;           ///< of one block of the file, as GDAL holds it
   std::vector<PixelRectangle> coverage; ///< where there may be data
-
-  /// Opens the dataset once more, sharing nothing with the others.
-  Result<DatasetPtr> reopen() const;
 };
 
-/// Opens the input of `options` and checks everything that can be checked without reading pixels.
-/// Code::input with the file, the fault and the cure.
-Result<RasterInput> describeRaster(const BuildOptions& options, std::vector<std::string>& warnings);
+/// Opens the input of `options`, or looks at `host` where that is given (it must stay open), and
+/// checks everything that can be checked without reading pixels. Code::input with the file, the
+/// fault and the cure.
+Result<RasterInput> describeRaster(const BuildOptions& options, GDALDataset* host,
+                                   std::vector<std::string>& warnings);
 
 } // namespace qmesh

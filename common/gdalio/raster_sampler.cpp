@@ -86,9 +86,10 @@ RasterSampler::open(std::shared_ptr<const SamplerSetup> setup, const NodeLattice
                     Resampling resampling, bool antialias) {
   QuietErrors errors;
   const RasterInput& input = setup->input;
-  Result<DatasetPtr> dataset = input.reopen();
+  Result<DatasetPtr> dataset = input.access.open();
   if (!dataset.ok())
     return dataset.status();
+  const std::unique_lock<std::mutex> lock = lockOf(input.access.mutex());
   GDALDataset& opened = **dataset;
   if (opened.GetRasterCount() < input.band || opened.GetRasterXSize() != int(input.frame.width) ||
       opened.GetRasterYSize() != int(input.frame.height))
@@ -108,7 +109,7 @@ RasterSampler::open(std::shared_ptr<const SamplerSetup> setup, const NodeLattice
   Result<std::unique_ptr<NodePositions>> positions = makePositions(*setup, lattice, frame);
   if (!positions.ok())
     return positions.status();
-  PixelReader reader(band, input.values, level, frame.period, input.path);
+  PixelReader reader(band, input, level, frame.period);
   return std::unique_ptr<RasterSampler>(new RasterSampler(
       setup, lattice, *std::move(dataset), *std::move(positions), std::move(reader),
       Interpolator(resampling, scale[0], scale[1], frame), frame));
@@ -124,11 +125,11 @@ RasterSampler::RasterSampler(std::shared_ptr<const SamplerSetup> setup, const No
 
 Result<bool> RasterSampler::anyHeight(const RasterInput& input) {
   QuietErrors errors;
-  const Result<DatasetPtr> dataset = input.reopen();
+  const Result<DatasetPtr> dataset = input.access.open();
   if (!dataset.ok())
     return dataset.status();
-  PixelReader reader(*(*dataset)->GetRasterBand(input.band), input.values,
-                     PixelLevel::full(input.frame), 0, input.path);
+  PixelReader reader(*(*dataset)->GetRasterBand(input.band), input, PixelLevel::full(input.frame),
+                     0);
   constexpr int kSide = 1024;
   const int columns = int(input.frame.width);
   const int rows = int(input.frame.height);

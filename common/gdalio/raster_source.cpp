@@ -36,6 +36,8 @@ class RasterSourceFactory : public NodeSourceFactory {
     return std::unique_ptr<NodeSource>(*std::move(sampler));
   }
 
+  void enterThread() const override { setup_->input.access.enterThread(); }
+
   Result<bool> hasData() const override { return RasterSampler::anyHeight(setup_->input); }
 
   /// A block is held twice while it is read: as it is in the file and in the block cache.
@@ -96,8 +98,9 @@ Status addRegions(const BuildOptions& options, SamplerSetup& setup, std::vector<
 } // namespace
 
 Result<std::shared_ptr<NodeSourceFactory>> openRasterSource(const BuildOptions& options,
-                                                            std::vector<std::string>& warnings) {
-  Result<RasterInput> input = describeRaster(options, warnings);
+                                                            std::vector<std::string>& warnings,
+                                                            GDALDataset* host) {
+  Result<RasterInput> input = describeRaster(options, host, warnings);
   if (!input.ok())
     return input.status();
   auto setup = std::make_shared<SamplerSetup>();

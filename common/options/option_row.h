@@ -111,6 +111,8 @@ struct OptionRow {
   bool advanced = false;          ///< few users need it
   bool repeatable = false;        ///< each use adds a value
   bool commandLineOnly = false;   ///< means nothing in a file or a form
+  bool notInDriver = false;       ///< no creation option of the GDAL driver
+  std::string translateOption;    ///< of gdal_translate, that does the same where notInDriver
   Request request = Request::run; ///< of the rows that ask for something else than a run
 
   /// Reads a value into its field; a flag takes "on", "off" and their aliases. On a fault the
@@ -124,6 +126,8 @@ struct OptionRow {
   std::string defaultText() const { return initial; }
   /// "1 to 5 m", "1 or more", "m", or nothing. Choices say more than a range.
   std::string rangeText() const;
+  /// Whether the GDAL driver takes it as a creation option.
+  bool isCreationOption() const { return position == 0 && !commandLineOnly && !notInDriver; }
   /// The name of a GDAL creation option: MAX_ERROR for max-error.
   std::string creationOption() const;
 };

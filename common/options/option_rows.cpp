@@ -37,43 +37,51 @@ Rows inputRows() {
           .value("SRS")
           .text(&Options::sourceSrs, Type::srs)
           .whenUnset("the DEM's own")
+          .notInDriver("-a_srs")
           .help("The coordinate system of the DEM, where it has none or a wrong one."),
       RowBuilder(Group::input, "band", 'b')
           .value("N")
           .integer(&Options::band, 1)
+          .notInDriver("-b")
           .help("The band with the heights."),
       RowBuilder(Group::input, "srcnodata", 'a')
           .value("NODATA")
           .custom(Type::number, setNodata, nodataText)
           .whenUnset("the DEM's own")
+          .notInDriver("-a_nodata")
           .help("The value of cells without a height. NaN and infinite cells never have one."),
       RowBuilder(Group::input, "te")
           .value("XMIN YMIN XMAX YMAX")
           .words(4)
           .custom(Type::extent, setExtent, extentText)
           .whenUnset("all of the DEM")
+          .notInDriver("-projwin")
           .help("Use the DEM within this box only, given in --te-srs."),
       RowBuilder(Group::input, "te-srs")
           .value("SRS")
           .text(&Options::extentSrs, Type::srs)
           .whenUnset("that of the DEM")
+          .notInDriver("-projwin_srs")
           .help("The coordinate system of --te."),
       RowBuilder(Group::input, "cutline")
           .value("FILE")
           .text(&Options::cutline, Type::file)
           .whenUnset("none")
+          .notInDriver()
           .help("Use the DEM within the polygons of this vector file only."),
       RowBuilder(Group::input, "oo")
           .value("KEY=VALUE")
           .list(&Options::openOptions, Type::keyValue)
           .whenUnset("none")
           .advanced()
+          .notInDriver("-oo")
           .help("An open option for the driver that reads the DEM."),
       RowBuilder(Group::input, "if")
           .value("FORMAT")
           .list(&Options::inputFormats, Type::text)
           .whenUnset("all")
           .advanced()
+          .notInDriver("-if")
           .help("A GDAL driver that may open the DEM."),
   };
 }
@@ -197,16 +205,19 @@ Rows outputRows() {
           .help("The tiles' compression."),
       RowBuilder(Group::output, "overwrite")
           .flag(&Options::overwrite)
+          .notInDriver()
           .help("Replace the terrain in OUTPUT once the new one is complete; other files stay. "
                 "Else an OUTPUT that is not empty is refused."),
       RowBuilder(Group::output, "webviewer", 'w')
           .value("VIEWER")
           .choice(&Options::preview)
+          .notInDriver()
           .help("A preview page to write beside the tiles."),
       RowBuilder(Group::output, "cesium")
           .value("DIR")
           .text(&Options::cesium, Type::folder)
           .whenUnset("Cesium's download site")
+          .notInDriver()
           .help("A CesiumJS build to copy beside the preview page."),
       RowBuilder(Group::output, "title", 't')
           .value("TITLE")
@@ -222,6 +233,7 @@ Rows outputRows() {
           .value("FILE")
           .text(&Options::report, Type::file)
           .whenUnset("none")
+          .notInDriver()
           .help("Write a JSON report: tiles, triangles, bytes, errors reached and seconds."),
       RowBuilder(Group::output, "force-kml", 'k')
           .noEffect("terrain has no KML")
@@ -263,10 +275,15 @@ Rows runningRows() {
                 "value; '#' begins a comment). The command line overrides it."),
       RowBuilder(Group::running, "dry-run")
           .flag(&Options::dryRun)
+          .notInDriver()
           .help("Print tiles per zoom and estimates of size and time; write nothing."),
-      RowBuilder(Group::running, "quiet", 'q').flag(&Options::quiet).help("Print errors only."),
+      RowBuilder(Group::running, "quiet", 'q')
+          .flag(&Options::quiet)
+          .notInDriver()
+          .help("Print errors only."),
       RowBuilder(Group::running, "verbose", 'v')
           .flag(&Options::verbose)
+          .notInDriver()
           .help("Print what is done."),
   };
 }

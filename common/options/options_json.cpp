@@ -54,7 +54,7 @@ std::string rowJson(const OptionRow& row) {
 
   Members members;
   addText(members, "name", row.name);
-  if (!row.commandLineOnly && row.position == 0)
+  if (row.isCreationOption())
     addText(members, "creationOption", row.creationOption());
   addText(members, "letter", row.letter == 0 ? "" : std::string(1, row.letter));
   if (!aliases.empty())

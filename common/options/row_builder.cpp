@@ -140,6 +140,13 @@ template <class Options> BasicRowBuilder<Options>& BasicRowBuilder<Options>::com
 }
 
 template <class Options>
+BasicRowBuilder<Options>& BasicRowBuilder<Options>::notInDriver(std::string instead) {
+  row_.notInDriver = true;
+  row_.translateOption = std::move(instead);
+  return *this;
+}
+
+template <class Options>
 BasicRowBuilder<Options>&
 BasicRowBuilder<Options>::custom(OptionType type,
                                  std::function<Status(Options&, const std::string&)> set,
@@ -247,6 +254,7 @@ template <class Options>
 BasicRowBuilder<Options>& BasicRowBuilder<Options>::noEffect(std::string why, int values) {
   row_.ignored = std::move(why);
   row_.values = values;
+  row_.notInDriver = true;
   return custom(
       values == 0 ? OptionType::flag : OptionType::text,
       [](Options&, const std::string&) { return Status(); },

@@ -58,6 +58,8 @@ template <class Options> class BasicRowBuilder {
   /// Asks for something else than a build.
   BasicRowBuilder& request(Request request);
   BasicRowBuilder& commandLineOnly();
+  /// No creation option of the GDAL driver; `instead`: gdal_translate's own option for it.
+  BasicRowBuilder& notInDriver(std::string instead = "");
 
   /// A whole number in a range, any int by default; Field is int, std::int64_t or an optional of
   /// one. Owner is Options or a base of it, here and below.

@@ -2,9 +2,7 @@
 // Copyright (c) 2026 the qmesh authors
 #include "run.h"
 
-#include <algorithm>
 #include <filesystem>
-#include <thread>
 
 #include <cpl_conv.h>
 #include <cpl_vsi.h>
@@ -12,8 +10,7 @@
 
 #include "build/estimate.h"
 #include "build/tileset_builder.h"
-#include "gdalio/directory_sink.h"
-#include "gdalio/raster_source.h"
+#include "gdalio/make_terrain.h"
 #include "interrupt.h"
 #include "preview.h"
 #include "summary.h"
@@ -21,10 +18,6 @@
 namespace qmesh {
 
 namespace {
-
-int processors() {
-  return std::max(1u, std::thread::hardware_concurrency());
-}
 
 /// Through VSI, so that --report may name any place GDAL can write.
 Status writeReport(const std::string& file, const std::string& text) {
@@ -68,29 +61,27 @@ std::vector<SideFile> sideFiles(const BuildOptions& options) {
   return files;
 }
 
-Status dryRun(const BuildOptions& options, const PyramidPlan& plan, const BlockPlan& blocks,
-              const NodeSourceFactory& source, Console& console) {
-  const auto estimate = estimateRun({options, plan, source}, blocks);
+Status dryRun(const BuildOptions& options, const TerrainPlan& plan, Console& console) {
+  const auto estimate = estimateRun({options, plan.pyramid, *plan.source}, plan.blocks);
   if (!estimate.ok())
     return estimate.status();
-  std::fputs(estimateTable(plan, blocks, *estimate).c_str(), stdout);
+  std::fputs(estimateTable(plan.pyramid, plan.blocks, *estimate).c_str(), stdout);
   console.detail("nothing was written");
   return {};
 }
 
-Status build(const BuildOptions& options, const PyramidPlan& plan, const BlockPlan& blocks,
-             const NodeSourceFactory& source, Console& console) {
+Status build(const BuildOptions& options, const TerrainPlan& plan, Console& console) {
   if (!options.report.empty())
     QMESH_RETURN_IF_ERROR(checkReport(options));
-  auto sink = openDirectorySink(options);
+  const auto sink = openTerrainSink(options);
   if (!sink.ok())
     return sink.status();
-  console.message(startLine(options, plan, blocks));
-  const auto report =
-      buildTileset({options, plan, source}, blocks, **sink, sideFiles(options), [&](double done) {
-        console.progress(done);
-        return !stopRequested();
-      });
+  console.message(startLine(options, plan.pyramid, plan.blocks));
+  const auto report = buildTileset({options, plan.pyramid, *plan.source}, plan.blocks, **sink,
+                                   sideFiles(options), [&](double done) {
+                                     console.progress(done);
+                                     return !stopRequested();
+                                   });
   if (!report.ok())
     return report.status();
   if (!options.cesium.empty())
@@ -116,20 +107,13 @@ Status runBuild(const BuildOptions& options, Console& console) {
       return found.status();
   }
   std::vector<std::string> warnings;
-  const auto source = openRasterSource(options, warnings);
+  const auto plan = planTerrain(options, nullptr, warnings);
   for (const std::string& warning : warnings)
     console.warning(warning);
-  if (!source.ok())
-    return source.status();
-  const auto plan = planPyramid(options, **source);
   if (!plan.ok())
     return plan.status();
-  const auto blocks = planBlocks(options, *plan, (*source)->bytesPerSource(), processors());
-  if (!blocks.ok())
-    return blocks.status();
-  GDALSetCacheMax64(GIntBig(blocks->cacheBytes));
-  return options.dryRun ? dryRun(options, *plan, *blocks, **source, console)
-                        : build(options, *plan, *blocks, **source, console);
+  GDALSetCacheMax64(GIntBig(plan->blocks.cacheBytes));
+  return options.dryRun ? dryRun(options, *plan, console) : build(options, *plan, console);
 }
 
 } // namespace qmesh

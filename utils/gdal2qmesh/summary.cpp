@@ -63,27 +63,6 @@ std::vector<std::string> reportLines(const BuildOptions& options, const BuildRep
   return lines;
 }
 
-std::vector<std::string> reportWarnings(const BuildReport& report) {
-  const LevelStats total = report.total();
-  std::vector<std::string> warnings;
-  if (!report.anyData)
-    warnings.push_back(
-        format("the DEM lies between the nodes of zoom %d: the terrain is flat; use a higher zoom",
-               report.maxZoom));
-  if (total.quantizationTiles > 0)
-    warnings.push_back(
-        format("%llu of %llu tiles exceed their max error because rounding to the format's 15 bits "
-               "alone does; -v and --report tell by how much",
-               static_cast<unsigned long long>(total.quantizationTiles),
-               static_cast<unsigned long long>(total.tiles)));
-  if (total.coarseTiles > 0)
-    warnings.push_back(
-        format("%llu tiles hold heights too far apart for an exact fit with their neighbours: gaps "
-               "of up to %.3g m (is a void value missing? see -a, --void-fill, --clip-low)",
-               static_cast<unsigned long long>(total.coarseTiles), total.largestCoarseStep));
-  return warnings;
-}
-
 std::string levelTable(const BuildReport& report) {
   std::string text = "zoom      tiles    triangles       bytes  max error    reached        rms";
   for (int z = report.minZoom; z <= report.maxZoom; ++z) {

@@ -19,9 +19,6 @@ std::string startLine(const BuildOptions& options, const PyramidPlan& plan,
 /// What was made, where it is and how to look at it.
 std::vector<std::string> reportLines(const BuildOptions& options, const BuildReport& report);
 
-/// Promises that did not hold somewhere, each with the number of tiles.
-std::vector<std::string> reportWarnings(const BuildReport& report);
-
 /// One line a zoom: tiles, triangles, bytes, errors.
 std::string levelTable(const BuildReport& report);
 

@@ -18,12 +18,13 @@ struct Opened {
     dataset->GetGeoTransform(transform.data());
     EXPECT_TRUE(frame.set(transform, dataset->GetRasterXSize(), dataset->GetRasterYSize(), 0));
     std::vector<std::string> warnings;
-    values = PixelValues::of(*band, std::nullopt, false, warnings);
+    input.path = path;
+    input.values = PixelValues::of(*band, std::nullopt, false, warnings);
   }
   GDALDatasetUniquePtr dataset;
   GDALRasterBand* band;
   PixelFrame frame;
-  PixelValues values;
+  RasterInput input;
 };
 
 TEST(BlockMeans, EqualBruteForceAtAnyWindow) {
@@ -41,7 +42,7 @@ TEST(BlockMeans, EqualBruteForceAtAnyWindow) {
     PixelLevel level = PixelLevel::full(raster.frame);
     level.blockX = bx;
     level.blockY = by;
-    PixelReader reader(*raster.band, raster.values, level, 0, "test");
+    PixelReader reader(*raster.band, raster.input, level, 0);
     for (int trial = 0; trial < 20; ++trial) {
       PixelWindow w;
       w.column = int(random() % unsigned(level.columns()));
