@@ -9,13 +9,14 @@
 #include <cpl_string.h>
 #include <cpl_vsi.h>
 
+#include "gdalio/set_files.h"
+
 namespace
 {
 
 constexpr const char *pszPrefix = "QMESH:";
-constexpr const char *pszLayerJson = "layer.json";
 
-/// A layer.json says its format within so many bytes; `available`, which may be long, comes later.
+/// Enough of a layer.json to tell its format.
 constexpr int nLayerHeadBytes = 16384;
 
 /// The header of a tile and the number of its vertices: quantized-mesh-1.0, "Header".
@@ -23,11 +24,6 @@ constexpr int nTileHeadBytes = 92;
 
 /// Further from the Earth's centre, or higher, is no terrain; metres.
 constexpr double dfFarthest = 1e8;
-
-bool NamesTerrain(const char *pszText)
-{
-    return strstr(pszText, "\"quantized-mesh-1.") != nullptr && strchr(pszText, '{') != nullptr;
-}
 
 std::string FileNameOf(const std::string &osPath)
 {
@@ -40,18 +36,6 @@ bool EndsAsTile(const std::string &osPath)
     const std::string osFile = FileNameOf(osPath);
     const size_t nDot = osFile.rfind('.');
     return nDot != std::string::npos && EQUAL(osFile.c_str() + nDot, ".terrain");
-}
-
-/// The beginning of a file as text; empty where it cannot be read.
-std::string ReadHead(const std::string &osPath)
-{
-    VSILFILE *fp = VSIFOpenL(osPath.c_str(), "rb");
-    if (fp == nullptr)
-        return std::string();
-    std::string osHead(nLayerHeadBytes, '\0');
-    osHead.resize(VSIFReadL(&osHead[0], 1, osHead.size(), fp));
-    VSIFCloseL(fp);
-    return osHead;
 }
 
 double DoubleAt(const GByte *pabyHead, int nOffset)
@@ -99,9 +83,9 @@ QMESHName PrefixedName(const char *pszName)
     const std::string osPath = QMESHStripPrefix(pszName);
     if (EndsAsTile(osPath) && !CPLStringList(VSIReadDir(osPath.c_str())).Count())
         return {QMESHKind::Tile, osPath};
-    if (FileNameOf(osPath) == pszLayerJson)
+    if (FileNameOf(osPath) == qmesh::kLayerJsonName)
         return {QMESHKind::Set, osPath};
-    return {QMESHKind::Set, osPath + "/" + pszLayerJson};
+    return {QMESHKind::Set, osPath + "/" + qmesh::kLayerJsonName};
 }
 
 } // namespace
@@ -114,6 +98,15 @@ std::string QMESHStripPrefix(const char *pszName)
     return osPath;
 }
 
+std::string QMESHFolderOf(const char *pszName)
+{
+    const std::string osPath = QMESHStripPrefix(pszName);
+    if (FileNameOf(osPath) != qmesh::kLayerJsonName)
+        return osPath;
+    const size_t nSlash = osPath.rfind('/');
+    return nSlash == std::string::npos ? "." : osPath.substr(0, nSlash);
+}
+
 QMESHName QMESHIdentifyName(GDALOpenInfo *poOpenInfo)
 {
     const char *pszName = poOpenInfo->pszFilename;
@@ -122,17 +115,16 @@ QMESHName QMESHIdentifyName(GDALOpenInfo *poOpenInfo)
     const std::string osPath = QMESHStripPrefix(pszName);
     if (poOpenInfo->bIsDirectory)
     {
-        const std::string osLayer = osPath + "/" + pszLayerJson;
-        if (NamesTerrain(ReadHead(osLayer).c_str()))
-            return {QMESHKind::Set, osLayer};
+        if (qmesh::isTerrainSet(osPath))
+            return {QMESHKind::Set, osPath + "/" + qmesh::kLayerJsonName};
         return {};
     }
     if (poOpenInfo->nHeaderBytes == 0)
         return {};
-    if (FileNameOf(osPath) == pszLayerJson)
+    if (FileNameOf(osPath) == qmesh::kLayerJsonName)
     {
         if (poOpenInfo->TryToIngest(nLayerHeadBytes) &&
-            NamesTerrain(reinterpret_cast<const char *>(poOpenInfo->pabyHeader)))
+            qmesh::saysQuantizedMesh(reinterpret_cast<const char *>(poOpenInfo->pabyHeader)))
             return {QMESHKind::Set, osPath};
         return {};
     }

@@ -30,3 +30,6 @@ int QMESHIdentify(GDALOpenInfo *poOpenInfo);
 
 /// A name without "QMESH:" and without slashes at its end.
 std::string QMESHStripPrefix(const char *pszName);
+
+/// The folder a name of a set stands for: itself, or the one its layer.json lies in.
+std::string QMESHFolderOf(const char *pszName);

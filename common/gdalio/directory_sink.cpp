@@ -11,13 +11,13 @@
 
 #include "gdalio/folder_lock.h"
 #include "gdalio/quiet_errors.h"
+#include "gdalio/set_files.h"
 #include "gdalio/set_swap.h"
 #include "gdalio/vsi_files.h"
 
 namespace qmesh {
 namespace {
 
-constexpr const char* kHiddenName = ".qmesh-build";
 constexpr const char* kLockName = "lock";
 
 /// OUTPUT as GDAL wants it: no slash at the end, and "./" before a relative path.
@@ -36,8 +36,8 @@ std::string shown(const std::string& path) {
 class DirectorySink : public TileSink {
  public:
   DirectorySink(std::string output, bool xyz)
-      : output_(std::move(output)), hidden_(output_ + "/" + kHiddenName), swap_(output_, hidden_),
-        xyz_(xyz) {}
+      : output_(std::move(output)), hidden_(output_ + "/" + kHiddenFolderName),
+        swap_(output_, hidden_), xyz_(xyz) {}
 
   ~DirectorySink() override { DirectorySink::abandon(); }
 
@@ -74,7 +74,7 @@ Status DirectorySink::open(bool overwrite) {
   Status status = takeFolder();
   if (status.ok() && !overwrite)
     for (const std::string& name : listFolder(output_))
-      if (status.ok() && name != kHiddenName)
+      if (status.ok() && name != kHiddenFolderName)
         status = {Code::output, "the output folder '" + shown(output_) +
                                     "' is not empty; --overwrite replaces the set in it"};
   if (!status.ok() && !open_) // nobody else's folder is touched

@@ -9,23 +9,16 @@
 
 #include "base/text.h"
 #include "gdalio/quiet_errors.h"
+#include "gdalio/set_files.h"
 #include "gdalio/vsi_files.h"
 #include "tiling/scheme.h"
 
 namespace qmesh {
 namespace {
 
-constexpr const char* kLayerJson = "layer.json";
-
 bool isDigits(const std::string& text) {
   return !text.empty() &&
          std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
-}
-
-bool isTileName(const std::string& name) {
-  const std::size_t dot = name.find('.');
-  return dot != std::string::npos && isDigits(name.substr(0, dot)) &&
-         name.substr(dot) == ".terrain";
 }
 
 std::string folderOf(const std::string& path) {
@@ -59,6 +52,12 @@ std::vector<std::string> readLines(const std::string& path) {
 bool isZoomName(const std::string& name) {
   return isDigits(name) && name.size() <= 2 && (name.size() == 1 || name[0] != '0') &&
          std::stoi(name) <= kMaxZoom;
+}
+
+bool isTileName(const std::string& name) {
+  const std::size_t dot = name.find('.');
+  return dot != std::string::npos && isDigits(name.substr(0, dot)) &&
+         name.substr(dot) == ".terrain";
 }
 
 bool holdsTiles(const std::string& zoomFolder) {
@@ -105,7 +104,7 @@ Status SetSwap::moveForeign(const std::string& from, const std::string& to, int 
 }
 
 Status SetSwap::moveAll(const std::vector<std::string>& items) {
-  QMESH_RETURN_IF_ERROR(moveOut(kLayerJson));
+  QMESH_RETURN_IF_ERROR(moveOut(kLayerJsonName));
   for (const std::string& name : listFolder(output_)) {
     const bool replaced = std::find(items.begin(), items.end(), name) != items.end();
     if (isZoomName(name) && (replaced || holdsTiles(output_ + "/" + name)))
@@ -118,7 +117,7 @@ Status SetSwap::moveAll(const std::vector<std::string>& items) {
   for (const std::string& name : listFolder(hidden_ + "/old"))
     if (isZoomName(name))
       QMESH_RETURN_IF_ERROR(moveForeign(hidden_ + "/old/" + name, output_ + "/" + name, 0));
-  return moveIn(kLayerJson);
+  return moveIn(kLayerJsonName);
 }
 
 Status SetSwap::run(const std::vector<std::string>& files) {
@@ -164,16 +163,16 @@ Status SetSwap::takeBack(const std::string& item, bool listed) {
 
 Status SetSwap::undo() {
   const std::string journal = hidden_ + "/journal";
-  if (!pathExists(newFolder() + "/" + kLayerJson) || !pathExists(journal))
+  if (!pathExists(newFolder() + "/" + kLayerJsonName) || !pathExists(journal))
     return {};
   for (const std::string& item : readLines(journal))
     QMESH_RETURN_IF_ERROR(takeBack(item, true));
   for (const std::string& name : listFolder(hidden_ + "/old"))
     if (isZoomName(name))
       QMESH_RETURN_IF_ERROR(takeBack(name, false));
-  const std::string oldLayer = hidden_ + "/old/" + kLayerJson;
+  const std::string oldLayer = hidden_ + "/old/" + kLayerJsonName;
   if (pathExists(oldLayer))
-    QMESH_RETURN_IF_ERROR(renamePath(oldLayer, output_ + "/" + kLayerJson));
+    QMESH_RETURN_IF_ERROR(renamePath(oldLayer, output_ + "/" + kLayerJsonName));
   VSIUnlink(journal.c_str());
   return {};
 }

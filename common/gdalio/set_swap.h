@@ -45,6 +45,9 @@ class SetSwap {
 /// True for the name of a zoom folder, "0" to "24".
 bool isZoomName(const std::string& name);
 
+/// True for the name of a tile's file, "<int>.terrain".
+bool isTileName(const std::string& name);
+
 /// True where a zoom folder holds a tile of ours, <int>/<int>.terrain.
 bool holdsTiles(const std::string& zoomFolder);
 

@@ -14,6 +14,13 @@ const std::vector<SimplifierInfo>& simplifiers() {
   return rows;
 }
 
+std::vector<Choice> simplifierChoices() {
+  std::vector<Choice> choices;
+  for (const SimplifierInfo& info : simplifiers())
+    choices.push_back({info.name, info.sentence});
+  return choices;
+}
+
 const SimplifierInfo* findSimplifier(const std::string& name) {
   for (const SimplifierInfo& info : simplifiers()) {
     if (name == info.name)

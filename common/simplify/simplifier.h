@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/enum_table.h"
 #include "base/status.h"
 #include "border/border.h"
 #include "grid/height_tile.h"
@@ -55,6 +56,9 @@ struct SimplifierInfo {
 
 /// The methods of this build, in the order of the help.
 const std::vector<SimplifierInfo>& simplifiers();
+
+/// Their names and sentences, as the option table has them.
+std::vector<Choice> simplifierChoices();
 
 /// nullptr when there is no such method.
 const SimplifierInfo* findSimplifier(const std::string& name);

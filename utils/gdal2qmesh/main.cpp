@@ -16,16 +16,9 @@ namespace {
 
 using namespace qmesh;
 
-std::vector<Choice> methodChoices() {
-  std::vector<Choice> choices;
-  for (const SimplifierInfo& info : simplifiers())
-    choices.push_back({info.name, info.sentence});
-  return choices;
-}
-
 int runCommand(const std::vector<std::string>& words) {
   Console console;
-  const OptionTable table(methodChoices());
+  const OptionTable table(simplifierChoices());
   const auto line = parseCommandLine(table, words);
   if (!line.ok()) {
     console.usageError(usageLine(table), line.status().message());

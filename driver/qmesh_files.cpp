@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the qmesh authors
+#include "qmesh_files.h"
+
+#include <cpl_conv.h>
+#include <cpl_vsi.h>
+
+#include "gdalio/set_files.h"
+#include "qmesh_errors.h"
+#include "qmesh_identify.h"
+
+namespace
+{
+
+CPLErr Finish(const qmesh::Status &oStatus)
+{
+    if (oStatus.ok())
+        return CE_None;
+    QMESHReportError(oStatus);
+    return CE_Failure;
+}
+
+bool IsTile(const char *pszName)
+{
+    GDALOpenInfo oOpenInfo(QMESHStripPrefix(pszName).c_str(), GA_ReadOnly);
+    const QMESHKind eKind = QMESHIdentifyName(&oOpenInfo).eKind;
+    return eKind == QMESHKind::Tile || eKind == QMESHKind::Maybe;
+}
+
+} // namespace
+
+CPLErr QMESHDelete(const char *pszName)
+{
+    if (!IsTile(pszName))
+        return Finish(qmesh::deleteSet(QMESHFolderOf(pszName)));
+    if (VSIUnlink(QMESHStripPrefix(pszName).c_str()) == 0)
+        return CE_None;
+    CPLError(CE_Failure, CPLE_FileIO, "QMESH: '%s' cannot be removed", pszName);
+    return CE_Failure;
+}
+
+CPLErr QMESHRename(const char *pszNewName, const char *pszOldName)
+{
+    if (!IsTile(pszOldName))
+        return Finish(qmesh::renameSet(QMESHFolderOf(pszOldName), QMESHFolderOf(pszNewName)));
+    const std::string osNew = QMESHStripPrefix(pszNewName);
+    if (CPLMoveFile(osNew.c_str(), QMESHStripPrefix(pszOldName).c_str()) == 0)
+        return CE_None;
+    CPLError(CE_Failure, CPLE_FileIO, "QMESH: '%s' cannot be moved to '%s'", pszOldName,
+             pszNewName);
+    return CE_Failure;
+}
+
+CPLErr QMESHCopyFiles(const char *pszNewName, const char *pszOldName)
+{
+    if (!IsTile(pszOldName))
+        return Finish(qmesh::copySet(QMESHFolderOf(pszOldName), QMESHFolderOf(pszNewName)));
+    const std::string osNew = QMESHStripPrefix(pszNewName);
+    if (CPLCopyFile(osNew.c_str(), QMESHStripPrefix(pszOldName).c_str()) == 0)
+        return CE_None;
+    CPLError(CE_Failure, CPLE_FileIO, "QMESH: '%s' cannot be copied to '%s'", pszOldName,
+             pszNewName);
+    return CE_Failure;
+}

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the qmesh authors
+#pragma once
+
+#include <cpl_error.h>
+
+/// GDALDriver::pfnDelete: removes the files of a set that are its own (see gdalio/set_files.h), or
+/// one tile. Nothing is removed where the name is no dataset of this driver.
+CPLErr QMESHDelete(const char *pszName);
+
+/// GDALDriver::pfnRename: moves a set to a folder that is not there or empty.
+CPLErr QMESHRename(const char *pszNewName, const char *pszOldName);
+
+/// GDALDriver::pfnCopyFiles: copies a set likewise.
+CPLErr QMESHCopyFiles(const char *pszNewName, const char *pszOldName);
