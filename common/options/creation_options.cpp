@@ -4,6 +4,7 @@
 
 #include "base/enum_table.h"
 #include "base/text.h"
+#include "options/choices.h"
 
 namespace qmesh {
 
