@@ -10,6 +10,7 @@
 #include "qmesh_errors.h"
 #include "qmesh_files.h"
 #include "qmesh_identify.h"
+#include "qmesh_open_options.h"
 
 namespace
 {
@@ -34,10 +35,13 @@ void QMESHRegister()
     poDriver->SetMetadataItem(GDAL_DMD_EXTENSION, "terrain");
     poDriver->SetMetadataItem(GDAL_DMD_EXTENSIONS, "terrain");
     poDriver->SetMetadataItem(GDAL_DCAP_RASTER, "YES");
+    poDriver->SetMetadataItem(GDAL_DCAP_VECTOR, "YES");
+    poDriver->SetMetadataItem(GDAL_DCAP_Z_GEOMETRIES, "YES");
     poDriver->SetMetadataItem(GDAL_DCAP_VIRTUALIO, "YES");
     poDriver->SetMetadataItem(GDAL_DMD_CREATIONDATATYPES, pszDataTypes);
     poDriver->SetMetadataItem(GDAL_DMD_CREATIONOPTIONLIST,
                               qmesh::creationOptionXml(QMESHOptionTable()).c_str());
+    poDriver->SetMetadataItem(GDAL_DMD_OPENOPTIONLIST, QMESHOpenOptionXml().c_str());
     poDriver->pfnIdentify = QMESHIdentify;
     poDriver->pfnOpen = QMESHDataset::Open;
     poDriver->pfnCreateCopy = QMESHCreateCopy;
