@@ -7,7 +7,7 @@
 # where the first that this release of Debian or Ubuntu has is meant, or PACKAGE? where it may be missing.
 
 QMESH_BUILD_PACKAGES=(
-  g++:g++ cmake:cmake make:make libgdal-dev libdeflate-dev nlohmann-json3-dev libcgal-dev
+  g++:g++ cmake:cmake make:make libgdal-dev libdeflate-dev nlohmann-json3-dev libcgal-dev libeigen3-dev
 )
 QMESH_VIEW_PACKAGES=(python3:python3)
 QMESH_TEST_PACKAGES=(

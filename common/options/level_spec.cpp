@@ -117,4 +117,16 @@ Result<double> LevelSpec::at(int zoom) const {
                                  "; add it, for example as '" + std::to_string(zoom) + "-:V'");
 }
 
+Result<std::optional<double>> specValue(const std::string& text, int zoom) {
+  if (text.empty())
+    return std::optional<double>();
+  const Result<LevelSpec> spec = LevelSpec::parse(text);
+  if (!spec.ok())
+    return spec.status();
+  const Result<double> value = spec->at(zoom);
+  if (!value.ok())
+    return value.status();
+  return std::optional<double>(*value);
+}
+
 } // namespace qmesh

@@ -2,6 +2,7 @@
 // Copyright (c) 2026 the qmesh authors
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -40,5 +41,8 @@ class LevelSpec {
 
   std::vector<Term> terms_;
 };
+
+/// The value at a zoom of an option that need not be set: nullopt where `text` is empty.
+Result<std::optional<double>> specValue(const std::string& text, int zoom);
 
 } // namespace qmesh

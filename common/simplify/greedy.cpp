@@ -32,7 +32,6 @@ class Greedy final : public Simplifier {
   void seed(double tolerance);
   void insertNode(int i, int j, std::int32_t hint);
   void maskBorder();
-  float scanTolerance(double maxError) const;
   ErrorMeasure leaveForbiddenCount(Tin& out);
   void report(const ErrorMeasure& measure, const LevelParams& level, Tin& out) const;
 
@@ -55,7 +54,7 @@ Status Greedy::simplify(const HeightTile& tile, const TileFrame& frame, const Bo
   exact_.reset(tile, frame, level.maxError);
   heights_.reset(tile, frame);
   start(border, level.baseGrid);
-  const float tolerance = scanTolerance(level.maxError);
+  const float tolerance = heights_.scanTolerance(level.maxError);
   seed(tolerance);
   rounds_.run(
       mesh_,
@@ -127,12 +126,6 @@ void Greedy::maskBorder() {
     heights_.mask(0, k);
     heights_.mask(n, k);
   }
-}
-
-/// The max error less what the float32 arithmetic of the scan may get wrong.
-float Greedy::scanTolerance(double maxError) const {
-  const double margin = double(heights_.range()) / (1 << 21);
-  return float(maxError - std::min(margin, maxError / 16));
 }
 
 /// A mesh of 65536 vertices gets one more, the worst node of all, or has to do with one less.

@@ -11,6 +11,10 @@ namespace qmesh {
 /// Greedy insertion (Garland & Heckbert 1995) in rounds, with the bounded decimation pass.
 std::unique_ptr<Simplifier> createGreedy(const MethodOptions& options);
 
+/// Edge collapse (Lindstrom & Turk 1998; Garland & Heckbert 1997) with CGAL; only in builds with
+/// QMESH_WITH_CGAL.
+std::unique_ptr<Simplifier> createCollapse(const MethodOptions& options);
+
 /// Every node a vertex.
 std::unique_ptr<Simplifier> createAllNodes(const MethodOptions& options);
 

@@ -2,6 +2,7 @@
 // Copyright (c) 2026 the qmesh authors
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -38,8 +39,11 @@ class NodeHeights {
   NodeError worst(const SpanCorner& a, const SpanCorner& b, const SpanCorner& c,
                   float tolerance) const;
 
-  /// Height range of the tile, metres: the scan's rounding error is a few float32 digits of it.
-  float range() const { return range_; }
+  /// The max error less what the float32 arithmetic of the scan may get wrong, metres.
+  float scanTolerance(double maxError) const {
+    const double margin = double(range_) / (1 << 21);
+    return float(maxError - std::min(margin, maxError / 16));
+  }
 
  private:
   const HeightTile* tile_ = nullptr;
@@ -48,7 +52,7 @@ class NodeHeights {
   std::vector<float> nodeV_;
   std::int32_t stride_ = 0;
   int cells_ = 0;
-  float range_ = 0;
+  float range_ = 0; ///< of the heights: the scan errs by a few float32 digits of it
 };
 
 } // namespace qmesh

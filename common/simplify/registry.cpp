@@ -8,6 +8,10 @@ const std::vector<SimplifierInfo>& simplifiers() {
   static const std::vector<SimplifierInfo> rows = {
       {"greedy", "refinement", "inserts the worst node until all are within the max error", true,
        "max-error", createGreedy},
+#ifdef QMESH_WITH_CGAL
+      {"collapse", "collapse", "collapses the cheapest edges of the mesh of all nodes", true,
+       "max-error", createCollapse},
+#endif
       {"delaunay", "reference", "keeps every node: the reference to compare with", false, "",
        createAllNodes},
   };

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the qmesh authors
+#include <algorithm>
+#include <cmath>
+
+#include "geo/ellipsoid.h"
+#include "options/level_spec.h"
+#include "simplify/cgal/edge_collapse.h"
+#include "simplify/exact_refinement.h"
+#include "simplify/finish.h"
+#include "simplify/methods.h"
+
+namespace qmesh {
+
+namespace {
+
+/// Edges of the mesh of all nodes.
+double fullEdges(int cells) {
+  const double n = cells;
+  return 3 * n * n + 2 * n;
+}
+
+/// Edge collapse from the mesh of all nodes (Lindstrom & Turk 1998 or Garland & Heckbert 1997) to a
+/// number of edges, or as far as the max error allows.
+class Collapse final : public Simplifier {
+ public:
+  explicit Collapse(const MethodOptions& options) : options_(options) {}
+
+  bool choosesBorder() const override { return true; }
+
+  Status simplify(const HeightTile& tile, const TileFrame& frame, const Border& border,
+                  const LevelParams& level, Tin& out) override;
+
+ private:
+  Status makeRule(const HeightTile& tile, const TileFrame& frame, const LevelParams& level,
+                  CollapseRule& rule) const;
+  void holdMaxError(const HeightTile& tile, const TileFrame& frame, double maxError, Tin& out);
+
+  MethodOptions options_;
+  CollapseMesh mesh_;
+  VertexRounding rounding_;
+  StarJudge judge_;
+  NodeMesh nodes_;
+  ExactRefinement exact_;
+};
+
+Status Collapse::simplify(const HeightTile& tile, const TileFrame& frame, const Border& border,
+                          const LevelParams& level, Tin& out) {
+  CollapseRule rule;
+  QMESH_RETURN_IF_ERROR(makeRule(tile, frame, level, rule));
+  const bool bounded = !rule.edges;
+  rounding_.reset(tile, frame);
+  makeStartMesh(tile, frame, border, level, mesh_);
+  judge_.reset(tile, frame, border, mesh_,
+               bounded ? std::optional<double>(level.maxError) : std::nullopt);
+  collapseEdges(rule, rounding_, judge_, mesh_, out);
+  if (bounded)
+    holdMaxError(tile, frame, level.maxError, out);
+  finishTin(tile, frame, level, bounded ? StopReason::maxError : StopReason::parameter, out);
+  return {};
+}
+
+Status Collapse::makeRule(const HeightTile& tile, const TileFrame& frame, const LevelParams& level,
+                          CollapseRule& rule) const {
+  rule.cost = options_.cost;
+  rule.volumeWeight = options_.volumeWeight;
+  rule.boundaryWeight = options_.boundaryWeight;
+  const auto count = specValue(options_.edgeCount, level.zoom);
+  const auto share = specValue(options_.edgeRatio, level.zoom);
+  const auto shape = specValue(options_.shapeWeight, level.zoom);
+  for (const auto* value : {&count, &share, &shape})
+    QMESH_RETURN_IF_ERROR(value->status());
+  rule.shapeWeight = shape->value_or(0);
+  if (*count)
+    rule.edges = std::size_t(std::min(**count, fullEdges(frame.cells())));
+  else if (*share)
+    rule.edges = std::size_t(std::llround(**share * fullEdges(frame.cells())));
+
+  if (options_.space == CollapseSpace::scaled) {
+    rule.perU = rule.perV = 1.0 / kQuantizedMax;
+    rule.perMetre = 1 / (double(frame.maxHeight()) - double(frame.minHeight()));
+  } else {
+    const GeoBox box = tile.lattice().scheme().box(tile.id());
+    const double latitude = (box.south + box.north) / 2;
+    rule.perU = (box.east - box.west) * wgs84::metresPerDegreeEast(latitude) / kQuantizedMax;
+    rule.perV = (box.north - box.south) * wgs84::metresPerDegreeNorth(latitude) / kQuantizedMax;
+  }
+  return {};
+}
+
+/// What the arithmetic of the judge may have missed, and the nodes at cliffs that take several
+/// vertices.
+void Collapse::holdMaxError(const HeightTile& tile, const TileFrame& frame, double maxError,
+                            Tin& out) {
+  if (measureError(tile, frame, out).max <= maxError)
+    return;
+  nodes_.reset(tile, frame, out);
+  exact_.reset(tile, frame, maxError);
+  exact_.run(nodes_, out);
+}
+
+} // namespace
+
+std::unique_ptr<Simplifier> createCollapse(const MethodOptions& options) {
+  return std::make_unique<Collapse>(options);
+}
+
+} // namespace qmesh

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the qmesh authors
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "simplify/cgal/collapse_mesh.h"
+#include "simplify/node_heights.h"
+
+namespace qmesh {
+
+/// Says whether an edge may collapse to a vertex: judged is what would be written. No new triangle
+/// may be flipped or degenerate in (u, v); where an error is given no node of them may be off by
+/// more.
+class StarJudge {
+ public:
+  /// `maxError`: metres. REQUIRES: tile, frame and mesh live as long as this is used.
+  void reset(const HeightTile& tile, const TileFrame& frame, const Border& border,
+             const CollapseMesh& mesh, std::optional<double> maxError);
+
+  /// The edge from vertex `first` to `second` becomes `placed`; `star`: the triangles around both.
+  bool accepts(std::uint32_t first, std::uint32_t second, const CollapseVertex& placed,
+               const std::vector<TinTriangle>& star) const;
+
+ private:
+  const CollapseMesh* mesh_ = nullptr;
+  std::optional<float> tolerance_;
+  NodeHeights heights_;
+};
+
+} // namespace qmesh
