@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: MIT
-# Run by `cmake --install`: the headers of common/MODULE/ with includes as a user of the library
-# sees them. Wants: modules, source, staging, destination (absolute, without DESTDIR).
-list(JOIN modules "|" folders)
-foreach(module IN LISTS modules)
-  file(GLOB headers RELATIVE ${source} ${source}/${module}/*.h)
+# Run by `cmake --install`: the headers of common/FOLDER/ with includes as a user of the library
+# sees them. Wants: folders, source, staging, destination (absolute, without DESTDIR).
+list(JOIN folders "|" pattern)
+foreach(folder IN LISTS folders)
+  file(GLOB headers RELATIVE ${source} ${source}/${folder}/*.h)
   foreach(header IN LISTS headers)
     file(READ ${source}/${header} text)
-    string(REGEX REPLACE "#include \"((${folders})/)" "#include \"qmesh/\\1" text "${text}")
+    string(REGEX REPLACE "#include \"((${pattern})/)" "#include \"qmesh/\\1" text "${text}")
     set(old "")
     if(EXISTS ${staging}/${header})
       file(READ ${staging}/${header} old)
@@ -14,7 +14,6 @@ foreach(module IN LISTS modules)
     if(NOT text STREQUAL old)
       file(WRITE ${staging}/${header} "${text}")
     endif()
-    get_filename_component(folder ${header} DIRECTORY)
     file(INSTALL ${staging}/${header} DESTINATION ${destination}/${folder})
   endforeach()
 endforeach()

@@ -8,8 +8,17 @@ set(QMESH_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/qmesh)
 
 # ---- The library: all modules of common/ as one archive, target qmesh::qmesh ---------------------
 
-get_property(modules GLOBAL PROPERTY QMESH_MODULES)
+get_property(all GLOBAL PROPERTY QMESH_MODULES)
 get_property(links GLOBAL PROPERTY QMESH_LINKS)
+set(modules "")
+set(folders "")
+foreach(module IN LISTS all)
+  get_target_property(folder qmesh_${module} SOURCE_DIR)
+  if(folder MATCHES "^${PROJECT_SOURCE_DIR}/common/(.*)") # not the driver
+    list(APPEND modules ${module})
+    list(APPEND folders ${CMAKE_MATCH_1})
+  endif()
+endforeach()
 list(REMOVE_DUPLICATES links)
 list(REMOVE_ITEM links nlohmann_json::nlohmann_json) # headers only, and not in ours
 
@@ -28,7 +37,7 @@ install(EXPORT qmeshTargets NAMESPACE qmesh:: DESTINATION ${QMESH_PACKAGE_DIR})
 # Headers below include/qmesh; inside the project they call each other "base/status.h", outside
 # "qmesh/base/status.h", so that a stranger's own base/ is not in the way.
 install(CODE "
-  set(modules ${modules})
+  set(folders \"${folders}\")
   set(source \"${PROJECT_SOURCE_DIR}/common\")
   set(staging \"${PROJECT_BINARY_DIR}/installed-headers\")
   set(destination \"\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_INCLUDEDIR}/qmesh\")

@@ -84,11 +84,11 @@ def run_process(enabled):
     return run
 
 
-def start_qgis():
+def start_qgis(window=False):
     """QGIS with our plugin in this process: the application and the plugin."""
     from qgis.core import QgsApplication
 
-    application = QgsApplication([], False)
+    application = QgsApplication([], window)
     application.initQgis()
     sys.path.append(os.path.join(QgsApplication.pkgDataPath(), "python", "plugins"))
     from processing.core.Processing import Processing

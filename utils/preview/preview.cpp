@@ -16,9 +16,6 @@ const char kCesiumFolder[] = "Cesium";
 
 namespace {
 
-// One fixed version, the one the client tests run. Newer ones may rename what look.js uses.
-const char kCesiumSite[] = "https://cesium.com/downloads/cesiumjs/releases/1.145/Build/Cesium/";
-
 /// Text as it must stand in HTML, in attributes too.
 std::string escapeHtml(const std::string& text) {
   std::string out;

@@ -31,6 +31,11 @@ _LABELS = {
     "cesium": "Folder of a CesiumJS build",
     "num-threads": "Threads",
 }
+# A form has less room than a help text: few people need these.
+_ADVANCED_IN_A_FORM = {
+    "s_srs", "cutline", "clip-low", "clip-high", "scale-above", "scale-below", "tilesize", "resampling",
+    "overview-resampling", "exclude", "xyz", "decimate", "compress", "cesium", "report", "if", "oo",
+}  # fmt: skip
 _LABELLED_UNITS = {"tilesize"}
 
 
@@ -72,7 +77,7 @@ def label(row):
 
 
 def is_advanced(row):
-    return bool(row.get("advanced")) or row["group"] == "Running"
+    return bool(row.get("advanced")) or row["group"] == "Running" or row["name"] in _ADVANCED_IN_A_FORM
 
 
 def is_on(row):
@@ -83,7 +88,9 @@ _SPEC_HELP = "One value, or one per zoom: 5000/2^z; 500,200,100; 0-9:2000/2^z,10
 
 
 def _in_words_of_the_form(text):
-    """--max-error becomes 'Max error'."""
+    """--max-error becomes 'Max error', OUTPUT the terrain folder."""
+    text = re.sub(r"\b(an )?OUTPUT\b", "the terrain folder", text)
+    text = re.sub(r"\bINPUT\b", "the DEM", text)
     return re.sub(r"--([a-z][a-z0-9_-]*[a-z0-9])", lambda m: _LABELS.get(m.group(1)) or f"'{_plain(m.group(1))}'", text)
 
 

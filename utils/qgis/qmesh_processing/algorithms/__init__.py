@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: MIT
 # Copyright (c) 2026 the qmesh authors
-"""The algorithms of the provider, in the order of the toolbox."""
+"""The algorithms of the provider, in the order of their making and use."""
 
 from .generate import Generate
+from .preview import Preview
+from .triangles import Triangles
 
-ALGORITHMS = [Generate]
+ALGORITHMS = [Generate, Triangles, Preview]
