@@ -2,6 +2,8 @@
 // Copyright (c) 2026 the qmesh authors
 #include "qmesh_create_copy.h"
 
+#include <algorithm>
+
 #include <cpl_conv.h>
 #include <cpl_string.h>
 
@@ -68,12 +70,17 @@ std::string BaseName(const std::string &osPath)
 }
 
 /// NUM_THREADS as GDAL users know it: the configuration option GDAL_NUM_THREADS stands in for it.
-void ApplyThreadFallback(qmesh::BuildOptions &oOptions)
+void ApplyThreadFallback(const std::vector<qmesh::Assignment> &aoGiven,
+                         qmesh::BuildOptions &oOptions)
 {
     const char *pszThreads = CPLGetConfigOption("GDAL_NUM_THREADS", nullptr);
-    if (pszThreads == nullptr)
+    const qmesh::OptionRow *poRow = QMESHOptionTable().byName("num-threads");
+    const bool bGiven =
+        std::any_of(aoGiven.begin(), aoGiven.end(),
+                    [&](const auto &oAssignment) { return oAssignment.row == poRow; });
+    if (pszThreads == nullptr || bGiven)
         return;
-    const Status oStatus = QMESHOptionTable().byName("num-threads")->set(oOptions, pszThreads);
+    const Status oStatus = poRow->set(oOptions, pszThreads);
     if (!oStatus.ok())
         QMESHReportWarning(std::string("GDAL_NUM_THREADS=") + pszThreads +
                            " is passed over: " + oStatus.message());
@@ -88,7 +95,7 @@ Status ReadOptions(const char *pszFilename, GDALDataset *poSrcDS, CSLConstList p
     const auto oAssignments = qmesh::parseCreationOptions(QMESHOptionTable(), aosPairs);
     if (!oAssignments.ok())
         return oAssignments.status();
-    ApplyThreadFallback(oOptions);
+    ApplyThreadFallback(*oAssignments, oOptions);
     QMESH_RETURN_IF_ERROR(qmesh::applyAssignments(*oAssignments, oOptions));
     oOptions.output = QMESHFolderOf(pszFilename);
     oOptions.input = HasName(poSrcDS) ? poSrcDS->GetDescription() : pszUnnamed;

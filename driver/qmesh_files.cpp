@@ -23,8 +23,7 @@ CPLErr Finish(const qmesh::Status &oStatus)
 bool IsTile(const char *pszName)
 {
     GDALOpenInfo oOpenInfo(QMESHStripPrefix(pszName).c_str(), GA_ReadOnly);
-    const QMESHKind eKind = QMESHIdentifyName(&oOpenInfo).eKind;
-    return eKind == QMESHKind::Tile || eKind == QMESHKind::Maybe;
+    return QMESHIdentifyName(&oOpenInfo).eKind == QMESHKind::Tile;
 }
 
 } // namespace

@@ -4,11 +4,13 @@
 
 #include <cmath>
 #include <cstring>
+#include <vector>
 
 #include <cpl_conv.h>
 #include <cpl_string.h>
 #include <cpl_vsi.h>
 
+#include "gdalio/quiet_errors.h"
 #include "gdalio/set_files.h"
 
 namespace
@@ -22,6 +24,9 @@ constexpr int nLayerHeadBytes = 16384;
 /// The header of a tile and the number of its vertices: quantized-mesh-1.0, "Header".
 constexpr int nTileHeadBytes = 92;
 
+/// More vertices than any tile has; 1025 x 1025 at most here.
+constexpr GUInt32 nMostVertices = 1U << 24;
+
 /// Further from the Earth's centre, or higher, is no terrain; metres.
 constexpr double dfFarthest = 1e8;
 
@@ -31,11 +36,21 @@ std::string FileNameOf(const std::string &osPath)
     return osFile.substr(0, osFile.find('?')); // of a URL
 }
 
+bool IsNumber(const std::string &osText)
+{
+    return !osText.empty() && osText.find_first_not_of("0123456789") == std::string::npos;
+}
+
+/// Whether a name ends in zoom/column/row.terrain: without these a tile lies nowhere.
 bool EndsAsTile(const std::string &osPath)
 {
+    const CPLStringList aosParts(CSLTokenizeString2(osPath.c_str(), "/", 0));
+    const int nParts = aosParts.size();
     const std::string osFile = FileNameOf(osPath);
     const size_t nDot = osFile.rfind('.');
-    return nDot != std::string::npos && EQUAL(osFile.c_str() + nDot, ".terrain");
+    return nParts >= 3 && nDot != std::string::npos && EQUAL(osFile.c_str() + nDot, ".terrain") &&
+           IsNumber(osFile.substr(0, nDot)) && IsNumber(aosParts[nParts - 2]) &&
+           IsNumber(aosParts[nParts - 3]);
 }
 
 double DoubleAt(const GByte *pabyHead, int nOffset)
@@ -55,7 +70,7 @@ float FloatAt(const GByte *pabyHead, int nOffset)
 }
 
 /// Whether an uncompressed file begins as a tile does: a centre, heights in order, a bounding
-/// sphere.
+/// sphere, some vertices.
 bool BeginsAsTile(const GByte *pabyHead, int nBytes)
 {
     if (nBytes < nTileHeadBytes)
@@ -63,18 +78,36 @@ bool BeginsAsTile(const GByte *pabyHead, int nBytes)
     for (const int nOffset : {0, 8, 16, 32, 40, 48, 56})
         if (!(std::abs(DoubleAt(pabyHead, nOffset)) < dfFarthest))
             return false;
+    GUInt32 nVertices = 0;
+    memcpy(&nVertices, pabyHead + nTileHeadBytes - sizeof nVertices, sizeof nVertices);
+    CPL_LSBPTR32(&nVertices);
+    if (nVertices < 3 || nVertices > nMostVertices)
+        return false;
     const float fLow = FloatAt(pabyHead, 24);
     const float fHigh = FloatAt(pabyHead, 28);
     return std::abs(fLow) < dfFarthest && std::abs(fHigh) < dfFarthest && fLow <= fHigh;
 }
 
-QMESHKind TileKind(const GDALOpenInfo *poOpenInfo)
+/// The beginning of a compressed file, decompressed; shorter where that fails.
+std::vector<GByte> UnzippedHead(const std::string &osPath)
+{
+    const qmesh::QuietErrors oQuiet;
+    std::vector<GByte> abyHead(nTileHeadBytes);
+    VSILFILE *fp = VSIFOpenL(("/vsigzip/" + osPath).c_str(), "rb");
+    abyHead.resize(fp ? VSIFReadL(abyHead.data(), 1, abyHead.size(), fp) : 0);
+    if (fp)
+        VSIFCloseL(fp);
+    return abyHead;
+}
+
+bool IsTile(const GDALOpenInfo *poOpenInfo, const std::string &osPath)
 {
     const GByte *pabyHead = poOpenInfo->pabyHeader;
     const int nBytes = poOpenInfo->nHeaderBytes;
-    if (nBytes >= 2 && pabyHead[0] == 0x1f && pabyHead[1] == 0x8b)
-        return QMESHKind::Maybe;
-    return BeginsAsTile(pabyHead, nBytes) ? QMESHKind::Tile : QMESHKind::Other;
+    if (nBytes < 2 || pabyHead[0] != 0x1f || pabyHead[1] != 0x8b)
+        return BeginsAsTile(pabyHead, nBytes);
+    const std::vector<GByte> abyHead = UnzippedHead(osPath);
+    return BeginsAsTile(abyHead.data(), static_cast<int>(abyHead.size()));
 }
 
 /// A name that begins with the prefix is meant for this driver, whatever is there.
@@ -128,22 +161,13 @@ QMESHName QMESHIdentifyName(GDALOpenInfo *poOpenInfo)
             return {QMESHKind::Set, osPath};
         return {};
     }
-    if (EndsAsTile(osPath))
-        return {TileKind(poOpenInfo), osPath};
+    if (EndsAsTile(osPath) && IsTile(poOpenInfo, osPath))
+        return {QMESHKind::Tile, osPath};
     return {};
 }
 
 int QMESHIdentify(GDALOpenInfo *poOpenInfo)
 {
-    switch (QMESHIdentifyName(poOpenInfo).eKind)
-    {
-        case QMESHKind::Set:
-        case QMESHKind::Tile:
-            return GDAL_IDENTIFY_TRUE;
-        case QMESHKind::Maybe:
-            return GDAL_IDENTIFY_UNKNOWN;
-        case QMESHKind::Other:
-            break;
-    }
-    return GDAL_IDENTIFY_FALSE;
+    const QMESHKind eKind = QMESHIdentifyName(poOpenInfo).eKind;
+    return eKind == QMESHKind::Other ? GDAL_IDENTIFY_FALSE : GDAL_IDENTIFY_TRUE;
 }

@@ -12,7 +12,6 @@ enum class QMESHKind
     Other, ///< not ours
     Set,   ///< a quantized-mesh set
     Tile,  ///< one tile file
-    Maybe, ///< a tile file if it is ours: only its content can tell
 };
 
 struct QMESHName

@@ -69,6 +69,17 @@ def command_tree(folder):
 
 
 @contextlib.contextmanager
+def config(name, value):
+    """A configuration option of GDAL's, for a while."""
+    before = gdal.GetConfigOption(name)
+    gdal.SetConfigOption(name, value)
+    try:
+        yield
+    finally:
+        gdal.SetConfigOption(name, before)
+
+
+@contextlib.contextmanager
 def messages():
     """Collects what GDAL says meanwhile, as (class, number, text)."""
     said = []

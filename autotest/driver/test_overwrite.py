@@ -2,16 +2,17 @@
 # Copyright (c) 2026 the qmesh authors
 """What happens to what is there: overwriting, deleting, moving, copying."""
 
+import gzip
 import os
-import pathlib
 import subprocess
+import time
 
 import dems
 import pytest
 from osgeo import gdal
 
 import harness
-from made import SMALL, array_source, hilly, refused, tiles, tree, write_file
+from made import SMALL, array_source, hilly, refused, tree, write_file
 
 OPTIONS = [*SMALL, "TITLE=t"]
 
@@ -25,6 +26,12 @@ def place(request, tmp_path, vsimem):
 def new_set(qmesh, folder, seed=11, options=OPTIONS):
     assert qmesh.CreateCopy(folder, array_source(dems.hills(60, 70, seed=seed)), options=options) is not None
     return tree(folder)
+
+
+def statistics(path):
+    """Of band 1; GDAL notes them beside the set."""
+    opened = gdal.Open(path)
+    return opened.GetRasterBand(1).ComputeStatistics(False)
 
 
 def test_a_set_is_replaced(qmesh, place):
@@ -41,11 +48,10 @@ def test_a_set_is_replaced(qmesh, place):
 
 def test_statistics_of_the_old_set_do_not_stay(qmesh, place):
     new_set(qmesh, place + "/set")
-    opened = gdal.Open(place + "/set")
-    old = opened.GetRasterBand(1).ComputeStatistics(False)
-    opened = None
+    old = statistics(place + "/set")
+    assert statistics(place + "/set") == old
     new_set(qmesh, place + "/set", seed=4)
-    assert gdal.Open(place + "/set").GetRasterBand(1).ComputeStatistics(False) != old
+    assert statistics(place + "/set") != old
 
 
 def test_what_is_no_set_is_refused(qmesh, place):
@@ -86,7 +92,7 @@ def test_delete_removes_our_files_only(qmesh, place, name):
 
 def test_delete_leaves_no_folder_of_a_set_alone(qmesh, place):
     new_set(qmesh, place + "/set")
-    gdal.Open(place + "/set").GetRasterBand(1).ComputeStatistics(False)
+    statistics(place + "/set")
     assert qmesh.Delete(place + "/set") == gdal.CE_None
     assert tree(place) == {} and gdal.VSIStatL(place + "/set") is None
 
@@ -148,13 +154,14 @@ def test_rename_and_copy_refuse_a_target_that_is_there(qmesh, place):
 
 def test_a_tile_is_a_dataset_too(qmesh, place):
     new_set(qmesh, place + "/set")
-    name = sorted(tiles(place + "/set"))[0]
-    assert qmesh.CopyFiles(place + "/one.terrain", f"{place}/set/{name}") == gdal.CE_None
-    assert qmesh.Rename(place + "/two.terrain", place + "/one.terrain") == gdal.CE_None
-    assert gdal.VSIStatL(place + "/one.terrain") is None
-    assert gdal.IdentifyDriver(place + "/two.terrain") is not None
-    assert qmesh.Delete(place + "/two.terrain") == gdal.CE_None
-    assert gdal.VSIStatL(place + "/two.terrain") is None
+    gdal.MkdirRecursive(place + "/other/1/2", 0o755)
+    one, two = place + "/other/1/2/0.terrain", place + "/other/1/2/1.terrain"
+    assert qmesh.CopyFiles(one, place + "/set/0/1/0.terrain") == gdal.CE_None
+    assert qmesh.Rename(two, one) == gdal.CE_None
+    assert gdal.VSIStatL(one) is None
+    assert gdal.IdentifyDriver(two) is not None
+    assert qmesh.Delete(two) == gdal.CE_None
+    assert gdal.VSIStatL(two) is None
 
 
 def test_other_drivers_keep_their_files(qmesh, tmp_path):
@@ -162,8 +169,11 @@ def test_other_drivers_keep_their_files(qmesh, tmp_path):
     (tmp_path / "layer.json").write_text('{"type": "FeatureCollection", "features": []}')
     (tmp_path / "a.terrain").write_bytes(b"hello, I am a text of some length" * 20)
     (tmp_path / "empty.terrain").write_bytes(b"")
-    (tmp_path / "noise.terrain").write_bytes(bytes(range(256)) * 4)
-    for path in sorted(pathlib.Path(tmp_path).iterdir()) + [tmp_path, harness.SHIPPED, harness.SHIPPED.parent]:
+    (tmp_path / "3" / "4").mkdir(parents=True)
+    (tmp_path / "3" / "4" / "5.terrain").write_bytes(bytes(range(256)) * 4)
+    (tmp_path / "3" / "4" / "6.terrain").write_bytes(gzip.compress(b"heightmap" * 50))
+    (tmp_path / "packed.terrain").write_bytes(gzip.compress(b"something else" * 50))
+    for path in [path for path in sorted(tmp_path.rglob("*"))] + [tmp_path, harness.SHIPPED, harness.SHIPPED.parent]:
         found = gdal.IdentifyDriverEx(str(path), allowed_drivers=["QMESH"])
         assert found is None, path
 
@@ -173,7 +183,8 @@ def test_a_run_in_the_same_folder_is_seen(qmesh, tmp_path):
     lock = tmp_path / "set" / ".qmesh-build" / "lock"
     holder = subprocess.Popen(["flock", str(lock), "sleep", "60"])
     try:
-        for _ in range(100):
+        for _ in range(200):
+            time.sleep(0.02)
             if lock.exists() and subprocess.run(["flock", "-n", str(lock), "true"], check=False).returncode:
                 break
         refused(lambda: qmesh.CreateCopy(str(tmp_path / "set"), hilly(), options=OPTIONS), "another run")

@@ -86,7 +86,7 @@ Status DirectorySink::open(bool overwrite) {
 /// Makes the hidden folder ours and empty.
 Status DirectorySink::takeFolder() {
   const bool isOurs =
-      !pathExists(hidden_) || pathExists(hidden_ + "/" + kLockName) || listFolder(hidden_).empty();
+      !pathExists(hidden_) || listFolder(hidden_).empty() || pathExists(hidden_ + "/" + kLockName);
   if (!isOurs)
     return {Code::output, "'" + hidden_ + "' was not made by this program; move it elsewhere"};
   QMESH_RETURN_IF_ERROR(makeFolders(hidden_));
