@@ -164,6 +164,7 @@ python=$(python_with_gdal) || {
 }
 pytest=("$python" -m pytest -rs -q -p no:cacheprovider)
 stage count_pytest "commands" 20 "${pytest[@]}" autotest/utils
+stage count_pytest "driver" 10 "${pytest[@]}" autotest/driver
 stage count_pytest "install" 10 "${pytest[@]}" autotest/install
 
 if [ "$mode" != quick ]; then
