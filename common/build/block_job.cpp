@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "base/stopwatch.h"
-#include "codec/metadata.h"
 #include "grid/reduce.h"
 #include "grid/void_fill.h"
 
@@ -33,17 +32,17 @@ TileRange coarsestTiles(const PyramidPlan& plan, const Stage& stage, TileId bloc
 BlockJob::BlockJob(BuildShared& shared, const Stage& stage, const StageStores& stores, Pass pass,
                    std::unique_ptr<NodeSource> source)
     : shared_(shared), stage_(stage), stores_(stores), pass_(pass), source_(std::move(source)),
-      tileJob_(shared.options),
+      maker_(shared),
       windows_(std::size_t(stage.finest - stage.coarsest + 1 + (stage.feedsNext ? 1 : 0))),
-      tiles_(std::size_t(stage.finest - stage.coarsest + 1)), levels_(shared.plan.levels.size()) {}
+      tiles_(std::size_t(stage.finest - stage.coarsest + 1)) {}
 
 Status BlockJob::run(TileId block) {
   Stopwatch watch;
   prepareWindows(block);
   QMESH_RETURN_IF_ERROR(loadFinest());
-  seconds_[int(Step::sample)] += watch.lap();
+  maker_.seconds()[int(Step::sample)] += watch.lap();
   reduceAll();
-  seconds_[int(Step::reduce)] += watch.lap();
+  maker_.seconds()[int(Step::reduce)] += watch.lap();
   if (pass_ != Pass::down) {
     registerTiles();
     QMESH_RETURN_IF_ERROR(storeAll(block));
@@ -54,7 +53,7 @@ Status BlockJob::run(TileId block) {
       QMESH_RETURN_IF_ERROR(storeAll(block));
     QMESH_RETURN_IF_ERROR(meshAll());
   }
-  publish();
+  maker_.publish();
   return {};
 }
 
@@ -177,63 +176,39 @@ Status BlockJob::meshAll() {
     for (const TileId id : tiles_[k]) {
       if (shared_.stop)
         return {};
-      QMESH_RETURN_IF_ERROR(meshTile(id, windows_[k]));
+      QMESH_RETURN_IF_ERROR(maker_.make(windows_[k].tile(id)));
     }
   }
-  return {};
-}
-
-Status BlockJob::meshTile(TileId id, NodeWindow& window) {
-  const int every = shared_.options.metadata;
-  std::string metadata;
-  {
-    const std::lock_guard<std::mutex> lock(shared_.mutex);
-    const bool written = shared_.written.contains(id);
-    if (written && every > 0 && id.z % every == 0) {
-      metadata = metadataJson(shared_.written, id, std::min(every, shared_.plan.maxZoom - id.z));
-    }
-    if (!written) {
-      ++shared_.tilesDone;
-      return {};
-    }
-  }
-  const LevelParams& level = shared_.plan.levels[std::size_t(id.z)];
-  QMESH_RETURN_IF_ERROR(tileJob_.run(window.tile(id), level, metadata, result_, seconds_));
-  Stopwatch watch;
-  QMESH_RETURN_IF_ERROR(shared_.sink.writeTile(id, result_.bytes));
-  seconds_[int(Step::write)] += watch.lap();
-  levels_[std::size_t(id.z)].add(result_.stats);
-  contentHash_ += result_.fingerprint;
-  ++shared_.tilesDone;
   return {};
 }
 
 Status BlockJob::storeAll(TileId block) {
-  if (pass_ != Pass::down) {
-    return stage_.feedsNext ? stores_.rawCoarse->put(windows_.back(), block) : Status();
-  }
-  if (!stores_.filled)
-    return {};
-  for (const TileRange& r : shared_.plan.support.rangesUnder(block, stage_.finest)) {
+  if (pass_ == Pass::down)
+    return stores_.filled ? storeTiles(block, windows_.front(), *stores_.filled) : Status();
+  if (stores_.levels)
+    return storeLevels(block);
+  return stage_.feedsNext ? stores_.rawCoarse->put(windows_.back(), block) : Status();
+}
+
+/// The block's tiles of the window's level.
+Status BlockJob::storeTiles(TileId block, const NodeWindow& window, ChunkStore& store) {
+  const int zoom = window.lattice().zoom();
+  for (const TileRange& r : shared_.plan.support.rangesUnder(block, zoom)) {
     for (std::uint32_t y = r.y0; y <= r.y1; ++y) {
-      for (std::uint32_t x = r.x0; x <= r.x1; ++x) {
-        QMESH_RETURN_IF_ERROR(stores_.filled->put(windows_.front(), {stage_.finest, x, y}));
-      }
+      for (std::uint32_t x = r.x0; x <= r.x1; ++x)
+        QMESH_RETURN_IF_ERROR(store.put(window, {zoom, x, y}));
     }
   }
   return {};
 }
 
-void BlockJob::publish() {
-  const std::lock_guard<std::mutex> lock(shared_.mutex);
-  for (std::size_t z = 0; z < levels_.size(); ++z)
-    shared_.levels[z].add(levels_[z]);
-  for (std::size_t k = 0; k < seconds_.size(); ++k)
-    shared_.seconds[k] += seconds_[k];
-  shared_.contentHash += contentHash_;
-  std::fill(levels_.begin(), levels_.end(), LevelStats());
-  seconds_ = {};
-  contentHash_ = 0;
+Status BlockJob::storeLevels(TileId block) {
+  for (std::size_t k = stores_.raw ? 1 : 0; k < windows_.size(); ++k) {
+    const NodeWindow& window = windows_[k];
+    const auto zoom = std::size_t(window.lattice().zoom());
+    QMESH_RETURN_IF_ERROR(storeTiles(block, window, *(*stores_.levels)[zoom]));
+  }
+  return {};
 }
 
 } // namespace qmesh

@@ -17,6 +17,7 @@ constexpr std::size_t kBaseBytes = 24 * kMiB; ///< program, libraries, tables
 constexpr std::size_t kMinCache = 8 * kMiB;
 constexpr std::size_t kMinStore = 4 * kMiB;
 constexpr std::size_t kMeshBytesPerNode = 96; ///< triangulation and encoder at their worst
+constexpr std::size_t kScheduleBytesPerTile = 32;
 constexpr std::uint64_t kBlocksPerThread = 4;
 
 /// Blocks of the stage: ancestors of every tile it meshes.
@@ -53,8 +54,12 @@ std::size_t bytesPerThread(const BuildOptions& options, int depth, std::size_t b
   return bytes + edge * edge * (kMeshBytesPerNode + (bridging ? sizeof(float) : 0));
 }
 
-std::size_t bytesNeeded(std::size_t perThread, int threads) {
-  return kBaseBytes + kMinCache + kMinStore + perThread * std::size_t(threads);
+/// Bytes that do not depend on the threads: under --border inherit also the order of a level's
+/// tiles.
+std::size_t commonBytes(const BuildOptions& options, const PyramidPlan& plan) {
+  const bool ordered = options.border == BorderMode::inherit;
+  return kBaseBytes + kMinCache + kMinStore +
+         (ordered ? kScheduleBytesPerTile * std::size_t(plan.tiles.count(plan.maxZoom)) : 0);
 }
 
 int depthOf(int blockTiles) {
@@ -102,7 +107,8 @@ Result<BlockPlan> planBlocks(const BuildOptions& options, const PyramidPlan& pla
   const std::size_t memory = std::size_t(options.memoryBytes);
   const int smallest = options.blockTiles ? depthOf(options.blockTiles) : 1;
   const int largest = options.blockTiles ? smallest : kMaxDepth;
-  const std::size_t minimum = bytesNeeded(bytesPerThread(options, smallest, bytesPerSource), 1);
+  const std::size_t common = commonBytes(options, plan);
+  const std::size_t minimum = common + bytesPerThread(options, smallest, bytesPerSource);
   if (memory < minimum) {
     return Status(Code::usage,
                   "--memory is too small: this run needs at least " +
@@ -113,7 +119,7 @@ Result<BlockPlan> planBlocks(const BuildOptions& options, const PyramidPlan& pla
   for (int threads = options.threads > 0 ? options.threads : processors; threads >= 1; --threads) {
     for (int depth = largest; depth >= smallest; --depth) {
       const std::size_t needed =
-          bytesNeeded(bytesPerThread(options, depth, bytesPerSource), threads);
+          common + std::size_t(threads) * bytesPerThread(options, depth, bytesPerSource);
       if (needed > memory)
         continue;
       if (depth > smallest && !enoughBlocks(plan, depth, threads))

@@ -6,6 +6,7 @@
 
 #include "base/hash.h"
 #include "base/stopwatch.h"
+#include "build/inherited_border.h"
 #include "codec/encode.h"
 #include "geo/bounding.h"
 #include "geo/ellipsoid.h"
@@ -53,8 +54,8 @@ LevelStats statsOf(const Tin& tin, const TileFrame& frame) {
 } // namespace
 
 TileJob::TileJob(const BuildOptions& options)
-    : simplifier_(findSimplifier(options.method)->create(options)),
-      normals_(options.normals), compress_(options.compression == Compression::gzip) {}
+    : simplifier_(findSimplifier(options.method)->create(options)), normals_(options.normals),
+      compress_(options.compression == Compression::gzip) {}
 
 void TileJob::fillHeader(const GeoBox& box) {
   positions_.clear();
@@ -94,7 +95,28 @@ Status TileJob::run(const HeightTile& tile, const LevelParams& level, const std:
                     TileResult& result, StepSeconds& seconds) {
   Stopwatch watch;
   frame_.reset(tile, level);
+  border_.isFree = {};
   simplifier_->makeBorder(tile, frame_, level, border_);
+  seconds[int(Step::mesh)] += watch.lap();
+  return simplifyAndEncode(tile, level, metadata, result, seconds);
+}
+
+Status TileJob::run(const HeightTile& tile, const LevelParams& level, const std::string& metadata,
+                    Border& border, TileResult& result, StepSeconds& seconds) {
+  Stopwatch watch;
+  frame_.reset(tile, level);
+  border_ = border;
+  completeBorder(*simplifier_, tile, frame_, level, border_);
+  seconds[int(Step::mesh)] += watch.lap();
+  QMESH_RETURN_IF_ERROR(simplifyAndEncode(tile, level, metadata, result, seconds));
+  listBorder(tin_, border);
+  return {};
+}
+
+Status TileJob::simplifyAndEncode(const HeightTile& tile, const LevelParams& level,
+                                  const std::string& metadata, TileResult& result,
+                                  StepSeconds& seconds) {
+  Stopwatch watch;
   QMESH_RETURN_IF_ERROR(simplifier_->simplify(tile, frame_, border_, level, tin_));
   seconds[int(Step::mesh)] += watch.lap();
 

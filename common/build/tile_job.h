@@ -33,7 +33,15 @@ class TileJob {
   Status run(const HeightTile& tile, const LevelParams& level, const std::string& metadata,
              TileResult& result, StepSeconds& seconds);
 
+  /// The same under --border inherit. `border`: in, the edges that neighbours have built, the
+  /// others free; out, the edges of this tile (build/inherited_border.h). The result depends on
+  /// them, too.
+  Status run(const HeightTile& tile, const LevelParams& level, const std::string& metadata,
+             Border& border, TileResult& result, StepSeconds& seconds);
+
  private:
+  Status simplifyAndEncode(const HeightTile& tile, const LevelParams& level,
+                           const std::string& metadata, TileResult& result, StepSeconds& seconds);
   void assemble(const HeightTile& tile, const std::string& metadata);
   void fillHeader(const GeoBox& box);
 

@@ -2,19 +2,16 @@
 // Copyright (c) 2026 the qmesh authors
 #include "build/tileset_builder.h"
 
-#include <algorithm>
-#include <chrono>
-#include <condition_variable>
-#include <thread>
-
 #include "base/stopwatch.h"
-#include "build/block_job.h"
+#include "build/inherit_runner.h"
 #include "build/layer_record.h"
+#include "build/stage_runner.h"
 
 namespace qmesh {
 
 namespace {
 
+<<<<<<< HEAD
 constexpr std::chrono::milliseconds kProgressInterval(100);
 /// Share of the work that the upward pass is, where there is one.
 constexpr double kUpShare = 0.3;
@@ -187,6 +184,16 @@ class Runner {
   bool interrupted_ = false;
   std::atomic<std::size_t> next_{0};
 };
+=======
+Status makeTiles(BuildShared& shared, const BlockPlan& blocks, const std::string& scratch,
+                 const Progress& progress) {
+  WorkTeam team(shared.stop, progress);
+  StageRunner stages(shared, blocks, team, scratch);
+  if (shared.options.border == BorderMode::inherit)
+    return InheritRunner(shared, blocks, team, stages).run();
+  return stages.run();
+}
+>>>>>>> b0ca838 (--border inherit: a tile takes the edges of neighbours already built, in the order of a schedule, by any number of threads)
 
 BuildReport makeReport(const BuildShared& shared, const BlockPlan& blocks) {
   const PyramidPlan& plan = shared.plan;
@@ -215,7 +222,7 @@ Result<BuildReport> buildAndCommit(BuildShared& shared, const BlockPlan& blocks,
   const auto scratch = shared.sink.scratchFolder();
   if (!scratch.ok())
     return scratch.status();
-  QMESH_RETURN_IF_ERROR(Runner(shared, blocks, progress, *scratch).run());
+  QMESH_RETURN_IF_ERROR(makeTiles(shared, blocks, *scratch, progress));
   for (const SideFile& file : sideFiles) {
     QMESH_RETURN_IF_ERROR(shared.sink.writeFile(file.first, file.second));
   }

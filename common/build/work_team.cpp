@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the qmesh authors
+#include "build/work_team.h"
+
+#include <chrono>
+#include <thread>
+#include <vector>
+
+namespace qmesh {
+
+namespace {
+
+constexpr std::chrono::milliseconds kProgressInterval(100);
+
+} // namespace
+
+Status WorkTeam::run(std::size_t threads, const std::function<Status()>& work,
+                     const std::function<double()>& done) {
+  running_ = threads;
+  std::vector<std::thread> team;
+  for (std::size_t k = 0; k < threads; ++k)
+    team.emplace_back([&] { finish(work()); });
+  watch(done);
+  for (std::thread& member : team)
+    member.join();
+  if (!status_.ok())
+    return status_;
+  return interrupted_ ? Status(Code::interrupted, "stopped before the set was complete") : Status();
+}
+
+void WorkTeam::finish(const Status& status) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (!status.ok()) {
+    if (status_.ok())
+      status_ = status;
+    stop_ = true;
+  }
+  --running_;
+  finished_.notify_one();
+}
+
+void WorkTeam::watch(const std::function<double()>& done) {
+  std::unique_lock<std::mutex> lock(mutex_);
+  while (running_ > 0) {
+    finished_.wait_for(lock, kProgressInterval);
+    lock.unlock();
+    if (progress_ && !stop_ && !progress_(done())) {
+      interrupted_ = true;
+      stop_ = true;
+    }
+    lock.lock();
+  }
+}
+
+} // namespace qmesh

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the qmesh authors
+#pragma once
+
+#include <atomic>
+#include <condition_variable>
+#include <functional>
+#include <mutex>
+
+#include "base/progress.h"
+#include "base/status.h"
+
+namespace qmesh {
+
+/// Threads that do one piece of a run at a time while the calling thread tells the progress.
+class WorkTeam {
+ public:
+  /// `stop` is set when a member fails or `progress` says so; members look at it.
+  WorkTeam(std::atomic<bool>& stop, const Progress& progress) : stop_(stop), progress_(progress) {}
+
+  /// Runs `work` in so many threads and waits for all. `done` is asked for the progress, 0..1,
+  /// while they work. The first failure, or Code::interrupted where `progress` stopped the work.
+  Status run(std::size_t threads, const std::function<Status()>& work,
+             const std::function<double()>& done);
+
+ private:
+  void watch(const std::function<double()>& done);
+  void finish(const Status& status);
+
+  std::atomic<bool>& stop_;
+  const Progress& progress_;
+  std::mutex mutex_; ///< guards what follows
+  std::condition_variable finished_;
+  Status status_;
+  std::size_t running_ = 0;
+  bool interrupted_ = false;
+};
+
+} // namespace qmesh
