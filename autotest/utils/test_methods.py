@@ -34,13 +34,18 @@ def methods_of_this_build():
 
 
 METHODS = methods_of_this_build()
+# A schedule a DEM for --border inherit, so that all of them are used.
+SCHEDULES = dict(zip(DEMS, ["four-colour", "rowwise", "columnwise", "chessboard", "4connected"]))
 every_set = pytest.mark.parametrize(
-    "method, name", [(method, name) for method in METHODS for name in DEMS]
+    "method, name, border",
+    [(m, name, b) for m in METHODS for name in DEMS for b in ("shared", "inherit")],
 )
 
 
-def options(method, name):
+def options(method, name, border="shared"):
     common = ("-q", "--method", method)
+    if border == "inherit":
+        common += ("--border", border, "--schedule", SCHEDULES[name])
     return common if harness.FULL else (*common, "--tilesize", 64, "-z", DEMS[name])
 
 
@@ -54,9 +59,9 @@ def test_it_is_known_what_a_method_promises(method):
 
 
 @every_set
-def test_every_tile_is_valid_and_no_seam_shows(tile_set, method, name):
+def test_every_tile_is_valid_and_no_seam_shows(tile_set, method, name, border):
     """P6, P1"""
-    tiles = tile_set(name, *options(method, name))
+    tiles = tile_set(name, *options(method, name, border))
     assert harness.FULL or len(tiles.available()) <= MOST_TILES
     promises.none(promises.valid(tiles))
     faults, seams = promises.seamless(tiles)
@@ -65,9 +70,9 @@ def test_every_tile_is_valid_and_no_seam_shows(tile_set, method, name):
 
 
 @every_set
-def test_the_error_is_bounded_or_told(tile_set, dem, method, name):
+def test_the_error_is_bounded_or_told(tile_set, dem, method, name, border):
     """P2 for the methods that promise it; every method says how far off it is."""
-    tiles = tile_set(name, *options(method, name))
+    tiles = tile_set(name, *options(method, name, border))
     nodes = promises.nodes_of(dem(name), "geodetic", cells(), max(tiles.levels()))
     faults, reached = promises.bounded(tiles, nodes, promised=method in BOUNDED)
     promises.none(faults)
@@ -77,12 +82,12 @@ def test_the_error_is_bounded_or_told(tile_set, dem, method, name):
 
 
 @every_set
-def test_the_bytes_do_not_depend_on_the_work(dem, tile_set, tmp_path, method, name):
+def test_the_bytes_do_not_depend_on_the_work(dem, tile_set, tmp_path, method, name, border):
     """P3"""
-    usual = tile_set(name, *options(method, name))
+    usual = tile_set(name, *options(method, name, border))
     other = tmp_path / "other"
     run = harness.gdal2qmesh(
-        *options(method, name), "-j", 3, "--block-tiles", 2, dem(name), other
+        *options(method, name, border), "-j", 3, "--block-tiles", 2, dem(name), other
     )
     run.succeeded()
     assert harness.tree(other) == harness.tree(usual.folder)

@@ -3,6 +3,9 @@
 #include "build/work_team.h"
 
 #include <chrono>
+#include <exception>
+#include <new>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -19,13 +22,26 @@ Status WorkTeam::run(std::size_t threads, const std::function<Status()>& work,
   running_ = threads;
   std::vector<std::thread> team;
   for (std::size_t k = 0; k < threads; ++k)
-    team.emplace_back([&] { finish(work()); });
+    team.emplace_back([&] { finish(workSafely(work)); });
   watch(done);
   for (std::thread& member : team)
     member.join();
   if (!status_.ok())
     return status_;
   return interrupted_ ? Status(Code::interrupted, "stopped before the set was complete") : Status();
+}
+
+/// No exception may leave a thread: it would end the process, which may be somebody else's.
+Status WorkTeam::workSafely(const std::function<Status()>& work) const {
+  try {
+    enter_();
+    return work();
+  } catch (const std::bad_alloc&) {
+    return {Code::internal,
+            "not enough memory; a smaller --memory or fewer --num-threads need less"};
+  } catch (const std::exception& fault) {
+    return {Code::internal, std::string("a fault of this program: ") + fault.what()};
+  }
 }
 
 void WorkTeam::finish(const Status& status) {
