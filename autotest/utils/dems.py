@@ -71,11 +71,11 @@ DEMS = {**SHIPPED, **SYNTHETIC, **REAL}
 
 # For tests of every method: a few tiles of 64 cells at the native zoom.
 SMALL = {
-    "small_bigtujunga": _real("bigtujunga_srtm_30m_utm11n.tif", (700, 150, 120, 130)),
-    "small_montereybay": _real("montereybay_noaa_topobathy.tif", (250, 150, 190, 190)),
-    "small_celticsea": _real("celticsea_etopo1.tif", (120, 260, 170, 170)),
-    "small_slovenia": _real("slovenia_lidar_1m.tif", (300, 300, 200, 200), (100, 100)),
-    "small_global": _real("global_etopo_20min.tif", size=(512, 256)),
+    "small_bigtujunga": _real("bigtujunga_srtm_30m_utm11n.tif", (700, 150, 70, 80)),
+    "small_montereybay": _real("montereybay_noaa_topobathy.tif", (250, 150, 95, 95)),
+    "small_celticsea": _real("celticsea_etopo1.tif", (120, 260, 85, 85)),
+    "small_slovenia": _real("slovenia_lidar_1m.tif", (300, 300, 110, 140), (55, 70)),
+    "small_global": _real("global_etopo_20min.tif", size=(256, 128)),
 }
 
 
