@@ -165,11 +165,12 @@ python=$(python_with_gdal) || {
 pytest=("$python" -m pytest -rs -q -p no:cacheprovider)
 stage count_pytest "commands" 20 "${pytest[@]}" autotest/utils
 stage count_pytest "driver" 10 "${pytest[@]}" autotest/driver
-stage count_pytest "install" 10 "${pytest[@]}" autotest/install
 
 if [ "$mode" != quick ]; then
   stage count_none "node packages" 10 node_packages &&
     stage count_pytest "clients" 15 "${pytest[@]}" autotest/clients
+  stage count_none "man page packages" 10 qmesh_install "${QMESH_DOCS_PACKAGES[@]}" &&
+    stage count_pytest "install" 10 /usr/bin/python3 -m pytest -rs -q -p no:cacheprovider autotest/install
   stage count_none "QGIS packages" 10 qmesh_install "${QMESH_QGIS_PACKAGES[@]}" &&
     stage count_pytest "QGIS" 10 /usr/bin/python3 -m pytest -rs -q -p no:cacheprovider autotest/qgis
   stage count_one "benchmark programs" 5 bench_programs

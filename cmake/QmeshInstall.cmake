@@ -21,6 +21,9 @@ foreach(module IN LISTS all)
 endforeach()
 list(REMOVE_DUPLICATES links)
 list(REMOVE_ITEM links nlohmann_json::nlohmann_json) # headers only, and not in ours
+if(QMESH_WITH_CGAL)
+  list(APPEND links mpfr gmp) # CGAL itself is headers only; its exact arithmetic is not
+endif()
 
 add_library(qmesh STATIC)
 set_target_properties(qmesh PROPERTIES LINKER_LANGUAGE CXX)
@@ -47,10 +50,8 @@ install(CODE "
 
 file(RELATIVE_PATH QMESH_PC_PREFIX ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_PREFIX})
 string(REGEX REPLACE "/$" "" QMESH_PC_PREFIX ${QMESH_PC_PREFIX})
-set(QMESH_NEEDS_CGAL OFF)
 set(QMESH_PC_LIBS "-pthread")
-if("CGAL::CGAL" IN_LIST links)
-  set(QMESH_NEEDS_CGAL ON)
+if(QMESH_WITH_CGAL)
   string(PREPEND QMESH_PC_LIBS "-lmpfr -lgmp ")
 endif()
 if(QMESH_WITHOUT_LIBDEFLATE)
@@ -71,9 +72,12 @@ install(FILES ${PROJECT_BINARY_DIR}/qmesh.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}
 # ---- Texts -------------------------------------------------------------------------------------------
 
 install(FILES README.md LICENSE CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
-# Where the documentation was built.
-install(DIRECTORY ${PROJECT_BINARY_DIR}/docs/man/ DESTINATION ${CMAKE_INSTALL_MANDIR}/man1
-        OPTIONAL FILES_MATCHING PATTERN "*.1")
+# Where the documentation was built. By code, because a rule for a folder installs its empty folders, too.
+install(CODE "
+  file(GLOB pages \"${PROJECT_BINARY_DIR}/docs/man/*.1\")
+  if(pages)
+    file(INSTALL \${pages} DESTINATION \"\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_MANDIR}/man1\")
+  endif()")
 
 # `cmake --install` may be given another prefix than the configured one.
 install(CODE "file(WRITE \"${PROJECT_BINARY_DIR}/install_prefix.txt\" \"\${CMAKE_INSTALL_PREFIX}\")")

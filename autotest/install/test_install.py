@@ -43,6 +43,9 @@ def install(prefix):
 
 @pytest.fixture(scope="module")
 def prefix(tmp_path_factory):
+    # The manual pages alone; that the documentation is without fault is shown in autotest/docs.
+    trees = tmp_path_factory.mktemp("doctrees")
+    run(sys.executable, "-m", "sphinx", "-q", "-b", "man", "-d", trees, ROOT / "docs", BUILD / "docs" / "man")
     return install(tmp_path_factory.mktemp("prefix"))
 
 
@@ -103,6 +106,16 @@ def test_a_stranger_builds_by_pkg_config(prefix, tmp_path):
     check_tile(tmp_path / "hill.terrain", said)
 
 
+def test_every_symbol_of_the_library_is_found(prefix, tmp_path):
+    """All of the archive, whatever a program uses of it: no library is missing in what pkg-config says."""
+    environment = {**os.environ, "PKG_CONFIG_PATH": str(library_folder(prefix) / "pkgconfig")}
+    flags = run("pkg-config", "--cflags", "--libs", "qmesh", env=environment).split()
+    at = flags.index("-lqmesh")
+    flags[at : at + 1] = ["-Wl,--whole-archive", "-lqmesh", "-Wl,--no-whole-archive"]
+    run("c++", "-std=c++17", STRANGER / "one_tile.cpp", "-o", tmp_path / "one_tile", *flags)
+    check_tile(tmp_path / "hill.terrain", run(tmp_path / "one_tile", tmp_path / "hill.terrain"))
+
+
 def test_another_minor_version_is_refused(prefix, tmp_path):
     (tmp_path / "CMakeLists.txt").write_text(
         "cmake_minimum_required(VERSION 3.22)\nproject(newer LANGUAGES CXX)\nfind_package(qmesh 0.99 REQUIRED)\n"
@@ -158,11 +171,35 @@ def test_completion_knows_every_option(prefix):
 
 
 def test_man_pages_render(prefix):
-    pages = list((prefix / "share").rglob("man1/*.1"))
-    assert len(pages) == len(list((BUILD / "docs" / "man").glob("*.1")))
+    pages = sorted(page.stem for page in (prefix / "share" / "man" / "man1").iterdir())
+    assert pages == sorted(page.stem for page in (BUILD / "docs" / "man").glob("*.1")) and "gdal2qmesh" in pages
+    environment = {**os.environ, "MANPATH": str(prefix / "share" / "man"), "MANPAGER": "cat", "LC_ALL": "C.UTF-8"}
     for page in pages:
-        said = run("man", "-l", "--warnings", page, env={**os.environ, "MANPAGER": "cat", "MANWIDTH": "100"})
-        assert page.stem in said and "warning" not in said
+        shown = subprocess.run(["man", page], env=environment, capture_output=True, timeout=60, check=True)
+        text = shown.stdout.decode()
+        assert page in text and "--help" in text and len(text) > 2000
+
+
+def test_the_driver_is_where_gdal_finds_plugins(prefix, tmp_path):
+    (plugin,) = prefix.rglob("gdal_QMESH.so")
+    assert plugin.parent.name == "gdalplugins"
+    environment = {**os.environ, "GDAL_DRIVER_PATH": str(plugin.parent)}
+    run("gdal_translate", "-q", "-of", "QMESH", "-co", "MAX_ZOOM=6", DEM, tmp_path / "set", env=environment)
+    assert "QMESH" in run("gdalinfo", tmp_path / "set", env=environment)
+
+
+def test_the_qgis_plugin_knows_the_programs_of_its_prefix(prefix):
+    """PREFIX/share/qgis/python/plugins/qmesh_processing looks in PREFIX/bin."""
+    places = prefix / "share" / "qgis" / "python" / "plugins" / "qmesh_processing" / "places.py"
+    assert (places.parent / "metadata.txt").exists() and (places.parent / "preview" / "index.html").exists()
+    config = "import sys, types; m = types.ModuleType('processing.core.ProcessingConfig'); "
+    config += "m.ProcessingConfig = type('C', (), {'getSetting': staticmethod(lambda n: None)}); "
+    config += "sys.modules.update({'processing': m, 'processing.core': m, 'processing.core.ProcessingConfig': m}); "
+    text = config + f"sys.path.insert(0, {str(places.parent)!r}); import places; print(places.find_command('gdal2qmesh')); "
+    text += "print(places.driver_folders()[0])"
+    command, driver = run(sys.executable, "-B", "-c", text, env={**os.environ, "PATH": "/usr/bin:/bin"}).split()
+    assert command == str(prefix / "bin" / "gdal2qmesh")
+    assert (pathlib.Path(driver) / "gdal_QMESH.so").exists() and driver.startswith(str(prefix))
 
 
 def test_uninstall_leaves_nothing_of_ours(tmp_path):
