@@ -33,6 +33,25 @@ Vec3 toEcef(double lonDegrees, double latDegrees, double heightMetres) {
   return {n.x * equatorial, n.y * equatorial, n.z * polar};
 }
 
+Geodetic fromEcef(const Vec3& position) {
+  const double axis = std::hypot(position.x, position.y);
+  const double flattened = kSemiMinor / kSemiMajor;
+  const double squash = 1 - kSemiMinorSquared / kSemiMajorSquared;  // e^2
+  const double stretch = kSemiMajorSquared / kSemiMinorSquared - 1; // e'^2
+  double reduced = std::atan2(position.z, axis * flattened);
+  double latitude = 0;
+  for (int round = 0; round < 3; ++round) {
+    const double s = std::sin(reduced), c = std::cos(reduced);
+    latitude = std::atan2(position.z + stretch * kSemiMinor * s * s * s,
+                          axis - squash * kSemiMajor * c * c * c);
+    reduced = std::atan2(flattened * std::sin(latitude), std::cos(latitude));
+  }
+  const Vec3 foot = toEcef(0, latitude / kRadiansPerDegree, 0);
+  const double up =
+      std::cos(latitude) * (axis - foot.x) + std::sin(latitude) * (position.z - foot.z);
+  return {std::atan2(position.y, position.x) / kRadiansPerDegree, latitude / kRadiansPerDegree, up};
+}
+
 double metresPerDegreeEast(double latDegrees) {
   if (std::abs(latDegrees) >= 90)
     return 0; // the cosine of 90 degrees in floating point is not quite that

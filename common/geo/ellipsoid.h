@@ -17,6 +17,18 @@ Vec3 normal(double lonDegrees, double latDegrees);
 /// The ECEF position of a geodetic one; `heightMetres` is above the ellipsoid.
 Vec3 toEcef(double lonDegrees, double latDegrees, double heightMetres);
 
+/// A position on or above the ellipsoid.
+struct Geodetic {
+  double longitudeDegrees = 0; ///< -180..180
+  double latitudeDegrees = 0;
+  double heightMetres = 0; ///< above the ellipsoid
+};
+
+/// The geodetic position of an ECEF one at least 1000 km from the earth's centre; the inverse of
+/// toEcef() to a millimetre (Bowring, "Transformation from spatial to geographical coordinates",
+/// 1976, in three rounds).
+Geodetic fromEcef(const Vec3& position);
+
 /// Metres that one degree of longitude spans at a latitude (prime vertical radius * cos).
 double metresPerDegreeEast(double latDegrees);
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the qmesh authors
-#include <cmath>
-
 #include "simplify/finish.h"
+#include "simplify/full_grid.h"
 #include "simplify/methods.h"
 
 namespace qmesh {
@@ -49,9 +48,7 @@ class AllNodes final : public Simplifier {
       for (int i = 0; i < n; ++i) {
         const auto sw = std::uint32_t(j * (n + 1) + i);
         const std::uint32_t se = sw + 1, nw = sw + std::uint32_t(n) + 1, ne = nw + 1;
-        const float rising = std::abs(tile.at(i + 1, j + 1) - tile.at(i, j));
-        const float falling = std::abs(tile.at(i, j + 1) - tile.at(i + 1, j));
-        if (rising <= falling) {
+        if (cutsRising(tile, i, j)) {
           out.triangles.push_back({sw, se, ne});
           out.triangles.push_back({sw, ne, nw});
         } else {

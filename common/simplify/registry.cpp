@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the qmesh authors
 #include "simplify/methods.h"
+#ifdef QMESH_WITH_CGAL
+#include "simplify/cgal/point_set_methods.h"
+#endif
 
 namespace qmesh {
 
@@ -11,6 +14,14 @@ const std::vector<SimplifierInfo>& simplifiers() {
 #ifdef QMESH_WITH_CGAL
       {"collapse", "collapse", "collapses the cheapest edges of the mesh of all nodes", true,
        "max-error", createCollapse},
+      {"grid", "point set", "keeps sharp edges and one node in each cube of a grid", false,
+       "cell-size", createGridPoints},
+      {"random", "point set", "keeps sharp edges and a random share of the other nodes", false,
+       "random-percent", createRandomPoints},
+      {"hierarchy", "point set", "keeps sharp edges and one node of each small or flat cluster",
+       false, "cluster-size", createHierarchyPoints},
+      {"wlop", "point set", "keeps sharp edges and nodes spread evenly over the surface", false,
+       "retain-percent", createWlopPoints},
 #endif
       {"delaunay", "reference", "keeps every node: the reference to compare with", false, "",
        createAllNodes},
