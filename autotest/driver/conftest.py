@@ -9,6 +9,7 @@ QMESH_TEST_DATA, QMESH_FULL: as in autotest/utils
 
 import os
 import pathlib
+import re
 import sys
 
 import pytest
@@ -59,7 +60,7 @@ def command_set(tmp_path_factory, dem):
 @pytest.fixture
 def vsimem(request):
     """A folder in /vsimem/, removed after the test."""
-    folder = "/vsimem/" + request.node.name.replace("/", "_").replace("[", "-").replace("]", "")
+    folder = "/vsimem/" + re.sub(r"[^A-Za-z0-9]+", "-", request.node.name)
     gdal.Mkdir(folder, 0o755)
     yield folder
     gdal.RmdirRecursive(folder)

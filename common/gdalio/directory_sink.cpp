@@ -2,11 +2,8 @@
 // Copyright (c) 2026 the qmesh authors
 #include "gdalio/directory_sink.h"
 
-#include <cerrno>
-#include <cstdlib>
 #include <mutex>
 
-#include <cpl_conv.h>
 #include <cpl_vsi.h>
 
 #include "gdalio/folder_lock.h"
@@ -17,8 +14,6 @@
 
 namespace qmesh {
 namespace {
-
-constexpr const char* kLockName = "lock";
 
 /// OUTPUT as GDAL wants it: no slash at the end, and "./" before a relative path.
 std::string cleanPath(std::string path) {
@@ -85,12 +80,12 @@ Status DirectorySink::open(bool overwrite) {
 
 /// Makes the hidden folder ours and empty.
 Status DirectorySink::takeFolder() {
-  const bool isOurs =
-      !pathExists(hidden_) || listFolder(hidden_).empty() || pathExists(hidden_ + "/" + kLockName);
+  const bool isOurs = !pathExists(hidden_) || listFolder(hidden_).empty() ||
+                      pathExists(hidden_ + "/" + kLockFileName);
   if (!isOurs)
     return {Code::output, "'" + hidden_ + "' was not made by this program; move it elsewhere"};
   QMESH_RETURN_IF_ERROR(makeFolders(hidden_));
-  Status locked = lock_.acquire(hidden_ + "/" + kLockName);
+  Status locked = lock_.acquire(hidden_ + "/" + kLockFileName);
   if (!locked.ok()) {
     VSIRmdir(hidden_.c_str()); // fails, as it should, where another run works in it
     return locked;
@@ -106,16 +101,14 @@ Status DirectorySink::clearLeftover() {
     return {Code::output, "a run that was stopped left parts of the set in '" + hidden_ +
                               "/old', and they cannot be put back: " + undone.message()};
   for (const std::string& name : listFolder(hidden_))
-    if (name != kLockName)
+    if (name != kLockFileName)
       removeTree(hidden_ + "/" + name);
   return {};
 }
 
 Status DirectorySink::writeTile(TileId tile, const std::vector<std::uint8_t>& bytes) {
-  const std::uint32_t row = xyz_ ? (std::uint32_t(1) << tile.z) - 1 - tile.y : tile.y;
-  return writeWholeFile(swap_.newFolder() + "/" + std::to_string(tile.z) + "/" +
-                            std::to_string(tile.x) + "/" + std::to_string(row) + ".terrain",
-                        bytes.data(), bytes.size());
+  return writeWholeFile(swap_.newFolder() + "/" + tileFileName(tile, xyz_), bytes.data(),
+                        bytes.size());
 }
 
 Status DirectorySink::writeFile(const std::string& name, const std::string& text) {
@@ -151,7 +144,7 @@ void DirectorySink::close() {
     removeTree(scratch_);
   if (!keepHidden_)
     for (const std::string& name : listFolder(hidden_))
-      if (name != kLockName)
+      if (name != kLockFileName)
         removeTree(hidden_ + "/" + name);
   if (keepHidden_)
     return; // the journal stays behind, and says whose folder it is
@@ -165,18 +158,10 @@ Result<std::string> DirectorySink::scratchFolder() {
   const std::lock_guard<std::mutex> guard(mutex_);
   if (!scratch_.empty())
     return scratch_;
-  if (isLocalPath(output_)) {
-    QMESH_RETURN_IF_ERROR(makeFolders(hidden_ + "/scratch"));
-    scratch_ = hidden_ + "/scratch";
-    return scratch_;
-  }
-  std::string name =
-      std::string(CPLGetConfigOption("CPL_TMPDIR", CPLGetConfigOption("TMPDIR", "/tmp"))) +
-      "/qmesh-XXXXXX";
-  if (!mkdtemp(name.data()))
-    return outputError("no temporary folder '" + name + "' can be made", errno);
-  scratch_ = name;
-  return scratch_;
+  Result<std::string> made = makeScratchFolder(hidden_);
+  if (made.ok())
+    scratch_ = *made;
+  return made;
 }
 
 } // namespace

@@ -7,6 +7,7 @@
 
 #include "gdalio/directory_sink.h"
 #include "gdalio/raster_source.h"
+#include "gdalio/zip_sink.h"
 
 namespace qmesh {
 namespace {
@@ -36,7 +37,7 @@ Result<TerrainPlan> planTerrain(const BuildOptions& options, GDALDataset* host,
 }
 
 Result<std::unique_ptr<TileSink>> openTerrainSink(const BuildOptions& options) {
-  return openDirectorySink(options);
+  return isZipPath(options.output) ? openZipSink(options) : openDirectorySink(options);
 }
 
 } // namespace qmesh

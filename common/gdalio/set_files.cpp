@@ -2,6 +2,7 @@
 // Copyright (c) 2026 the qmesh authors
 #include "gdalio/set_files.h"
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <functional>
@@ -9,6 +10,7 @@
 #include <cpl_conv.h>
 #include <cpl_vsi.h>
 
+#include "base/text.h"
 #include "gdalio/folder_lock.h"
 #include "gdalio/quiet_errors.h"
 #include "gdalio/set_swap.h"
@@ -99,16 +101,25 @@ Status removeLeftover(const std::string& folder) {
   if (!pathExists(hidden))
     return {};
   FolderLock lock;
-  QMESH_RETURN_IF_ERROR(lock.acquire(hidden + "/lock"));
+  QMESH_RETURN_IF_ERROR(lock.acquire(hidden + "/" + kLockFileName));
   if (pathExists(hidden + "/journal"))
     return {};
   removeTree(hidden);
   return {};
 }
 
+/// GDAL can neither remove nor move what is in an archive, nor add to a finished one.
+Status checkNoArchive(const std::string& folder) {
+  if (folder.rfind("/vsizip/", 0) != 0 && folder.rfind("/vsitar/", 0) != 0)
+    return {};
+  return {Code::output,
+          "'" + folder + "' lies in an archive, which stays as it is; use the archive's own file"};
+}
+
 Status checkTarget(const std::string& from, const std::string& to) {
   if (!isTerrainSet(from))
     return noSet(from);
+  QMESH_RETURN_IF_ERROR(checkNoArchive(to));
   if (pathExists(to) && (!isFolder(to) || !listFolder(to).empty()))
     return {Code::output, "'" + to + "' exists already; name another folder"};
   return makeFolders(to);
@@ -144,6 +155,21 @@ Status forEachFile(const SetFiles& set, const std::string& from, const std::stri
 
 } // namespace
 
+std::string tileFileName(TileId tile, bool xyz) {
+  const std::uint32_t row = xyz ? (std::uint32_t(1) << tile.z) - 1 - tile.y : tile.y;
+  return std::to_string(tile.z) + "/" + std::to_string(tile.x) + "/" + std::to_string(row) +
+         ".terrain";
+}
+
+bool isSetFile(const std::string& name) {
+  const auto parts = split(name, '/');
+  if (parts.size() == 3)
+    return isZoomName(std::string(parts[0])) && parseInteger(parts[1]) &&
+           isTileName(std::string(parts[2]));
+  return name == kLayerJsonName || name == std::string(kLayerJsonName) + kNotes ||
+         std::find(kPreviewNames.begin(), kPreviewNames.end(), name) != kPreviewNames.end();
+}
+
 bool saysQuantizedMesh(const std::string& head) {
   const std::size_t begin = head.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
   return begin != std::string::npos && head[begin] == '{' &&
@@ -170,6 +196,7 @@ void removeNotes(const std::string& folder) {
 Status deleteSet(const std::string& folder) {
   if (!isTerrainSet(folder))
     return noSet(folder);
+  QMESH_RETURN_IF_ERROR(checkNoArchive(folder));
   QuietErrors errors;
   QMESH_RETURN_IF_ERROR(removeLeftover(folder));
   const SetFiles set = listSet(folder);
@@ -182,6 +209,7 @@ Status deleteSet(const std::string& folder) {
 }
 
 Status renameSet(const std::string& from, const std::string& to) {
+  QMESH_RETURN_IF_ERROR(checkNoArchive(from));
   QMESH_RETURN_IF_ERROR(checkTarget(from, to));
   // Without its layer.json nobody takes a half-moved set for a whole one.
   const std::string layer = from + "/" + kLayerJsonName;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/status.h"
+#include "tiling/scheme.h"
 
 /// The files of a finished set in a folder: which are its own, and what can be done with them as a
 /// whole. Files of others in the same folder are never touched.
@@ -16,6 +17,16 @@ inline constexpr const char* kLayerJsonName = "layer.json";
 
 /// The folder in an output folder where a run works (DirectorySink).
 inline constexpr const char* kHiddenFolderName = ".qmesh-build";
+
+/// The file in it that is locked meanwhile.
+inline constexpr const char* kLockFileName = "lock";
+
+/// A tile's file in the folder of its set; `xyz`: rows from the north.
+std::string tileFileName(TileId tile, bool xyz);
+
+/// Whether a set has a file of that relative name: layer.json, a tile, the preview page, GDAL's
+/// notes.
+bool isSetFile(const std::string& name);
 
 /// Whether the beginning of a layer.json says that its tiles are quantized meshes.
 bool saysQuantizedMesh(const std::string& head);

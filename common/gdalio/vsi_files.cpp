@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdlib>
 #include <memory>
 #include <system_error>
 
+#include <cpl_conv.h>
 #include <cpl_string.h>
 #include <cpl_vsi.h>
 
@@ -132,6 +134,19 @@ void removeTree(const std::string& path) {
   for (const std::string& name : listFolder(path))
     removeTree(path + "/" + name);
   VSIRmdir(path.c_str());
+}
+
+Result<std::string> makeScratchFolder(const std::string& work) {
+  if (isLocalPath(work)) {
+    QMESH_RETURN_IF_ERROR(makeFolders(work + "/scratch"));
+    return work + "/scratch";
+  }
+  std::string name =
+      std::string(CPLGetConfigOption("CPL_TMPDIR", CPLGetConfigOption("TMPDIR", "/tmp"))) +
+      "/qmesh-XXXXXX";
+  if (!mkdtemp(name.data()))
+    return outputError("no temporary folder '" + name + "' can be made", errno);
+  return name;
 }
 
 } // namespace qmesh

@@ -60,6 +60,12 @@ Result<FileBytes> notOpened(const std::string& path, int error) {
              : Result<FileBytes>(FileBytes());
 }
 
+/// GDAL does not say "end of file" of a compressed entry of a zip archive; its size tells, too.
+bool atEnd(VSILFILE& file, std::size_t filled) {
+  return VSIFEofL(&file) != 0 ||
+         (VSIFSeekL(&file, 0, SEEK_END) == 0 && VSIFTellL(&file) == vsi_l_offset(filled));
+}
+
 } // namespace
 
 Result<FileBytes> readWholeFile(const std::string& path, std::size_t maxSize) {
@@ -81,7 +87,7 @@ Result<FileBytes> readWholeFile(const std::string& path, std::size_t maxSize) {
       return unreadable(path, "it is larger than " + std::to_string(maxSize >> 20) + " MB");
     if (got == wanted)
       continue;
-    if (!VSIFEofL(file.get()) || !errors.firstFailure().empty())
+    if (!atEnd(*file, filled) || !errors.firstFailure().empty())
       return unreadable(path, !errors.firstFailure().empty() ? errors.firstFailure()
                               : errno != 0 ? std::generic_category().message(errno)
                                            : "it ends before its end");
