@@ -116,10 +116,12 @@ def encode_tile(box, cells, height_of):
 
     out = struct.pack("<3d2f3dd3d", *centre, low, high, *centre, radius, *horizon_point(points, direction))
     out += struct.pack("<I", len(order)) + zigzag_deltas(u) + zigzag_deltas(v) + zigzag_deltas(q)
-    out += struct.pack("<I", len(indices) // 3) + np.array(high_water_mark(indices), "<u2").tobytes()
+    width = "<u2" if len(order) <= 65536 else "<u4"
+    out += bytes(-len(out) % np.dtype(width).itemsize)
+    out += struct.pack("<I", len(indices) // 3) + np.array(high_water_mark(indices), width).tobytes()
     for edge in (u == 0, v == 0, u == 32767, v == 32767):  # west, south, east, north
         members = np.flatnonzero(edge)
-        out += struct.pack("<I", len(members)) + members.astype("<u2").tobytes()
+        out += struct.pack("<I", len(members)) + members.astype(width).tobytes()
     normals = oct_encode(surface_normals(lon, lat, height_of, (north - south) / cells / 2)).tobytes()
     return out + struct.pack("<BI", 1, len(normals)) + normals
 
