@@ -12,6 +12,7 @@
 
 #include "gdalio/quiet_errors.h"
 #include "gdalio/set_files.h"
+#include "gdalio/tile_address.h"
 
 namespace
 {
@@ -114,11 +115,10 @@ bool IsTile(const GDALOpenInfo *poOpenInfo, const std::string &osPath)
 QMESHName PrefixedName(const char *pszName)
 {
     const std::string osPath = QMESHStripPrefix(pszName);
-    if (EndsAsTile(osPath) && !CPLStringList(VSIReadDir(osPath.c_str())).Count())
+    if (EQUAL(CPLGetExtension(FileNameOf(osPath).c_str()), "terrain") &&
+        !CPLStringList(VSIReadDir(osPath.c_str())).Count())
         return {QMESHKind::Tile, osPath};
-    if (FileNameOf(osPath) == qmesh::kLayerJsonName)
-        return {QMESHKind::Set, osPath};
-    return {QMESHKind::Set, osPath + "/" + qmesh::kLayerJsonName};
+    return {QMESHKind::Set, qmesh::layerJsonPath(osPath)};
 }
 
 } // namespace

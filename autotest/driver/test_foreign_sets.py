@@ -199,7 +199,8 @@ def test_a_set_on_a_server(tmp_path, encoding, compress):
     pyramid(tmp_path / "a" / "set", top=2, compress=compress).write_layer()
     with serving(tmp_path, encoding) as (address, requests):
         gdal.VSICurlClearCache()
-        for name in (f"QMESH:{address}/a/set", f"QMESH:{address}/a/set/layer.json?key=7", f"/vsicurl/{address}/a/set/layer.json"):
+        for name in (f"QMESH:{address}/a/set", f"QMESH:{address}/a/set?key=7", f"QMESH:{address}/a/set/layer.json?key=7",
+                     f"/vsicurl/{address}/a/set/layer.json"):
             assert_plane(raster(name))
         dataset = raster(f"QMESH:{address}/a/set")
         requests.clear()

@@ -76,7 +76,7 @@ def test_a_tile_alone_without_layer_json(small_set, tmp_path):
     nameless = tmp_path / "tile.terrain"
     shutil.copy(copy, nameless)
     with pytest.raises(RuntimeError, match="zoom/column/row"):
-        raster(nameless)
+        raster(f"QMESH:{nameless}")
 
 
 def test_opening_for_update_is_refused_in_silence(small_set):
