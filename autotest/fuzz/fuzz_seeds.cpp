@@ -88,6 +88,7 @@ int main(int argc, char** argv) {
         return 1;
       const std::string name = std::to_string(n) + (extensions ? "x" : "");
       written = written && writeFile(folder / "fuzz_decode" / name, *tile) &&
+                writeFile(folder / "fuzz_surface" / name, *tile) &&
                 writeFile(folder / "fuzz_gunzip" / name, gzip.compress(*tile));
     }
   for (const bool full : {false, true}) {

@@ -11,7 +11,7 @@ fi
 source_dir=$(CDPATH= cd -- "$(dirname -- "$0")/../.." && pwd)
 build_dir=$1
 seconds=${2:-30}
-targets="fuzz_decode fuzz_gunzip fuzz_layer_json"
+targets="fuzz_decode fuzz_gunzip fuzz_layer_json fuzz_surface"
 
 cmake -S "$source_dir" -B "$build_dir" -DCMAKE_CXX_COMPILER="${CXX:-clang++}" \
   -DCMAKE_BUILD_TYPE=RelWithDebInfo -DQMESH_BUILD_FUZZERS=ON -DQMESH_BUILD_TESTS=OFF \
