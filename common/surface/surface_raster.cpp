@@ -33,13 +33,33 @@ std::vector<SpanCorner> cornersOf(const TileMesh& mesh, const TilePlaces& places
 }
 
 /// Writes what the spans of a triangle cover of the raster.
-void fillSpans(const SpanList<double>& list, double slope, int side, std::vector<double>& heights) {
+QMESH_INLINE void fillSpans(const SpanList<double>& list, double slope, int side, double* heights) {
   for (int k = 0; k < list.rows && list.firstRow + k < side; ++k) {
     const int begin = std::max(list.begin[k], 0);
     const int end = std::min(list.begin[k] + list.count[k], side);
-    double* row = heights.data() + std::size_t(list.firstRow + k) * std::size_t(side);
+    double* row = heights + std::size_t(list.firstRow + k) * std::size_t(side);
     for (int column = begin; column < end; ++column)
       row[column] = list.height[k] + double(column - list.begin[k]) * slope;
+  }
+}
+
+QMESH_VECTOR_CLONES void fillTriangles(const std::vector<SpanCorner>& corners,
+                                       const std::vector<std::uint32_t>& indices,
+                                       const TilePlaces& places, double* heights) {
+  SpanList<double> list;
+  const double columnUnits = kQuantizedMax / places.columnsPerTile();
+  for (std::size_t k = 0; k < indices.size(); k += 3) {
+    const SpanCorner& a = corners[indices[k]];
+    const SpanCorner* b = &corners[indices[k + 1]];
+    const SpanCorner* c = &corners[indices[k + 2]];
+    const std::int64_t area = doubledArea(a, *b, *c);
+    if (area == 0)
+      continue;
+    if (area < 0)
+      std::swap(b, c);
+    const double slope = heightPerColumn(a, *b, *c, columnUnits);
+    listSpans(a, *b, *c, places.rowV().data(), slope, list);
+    fillSpans(list, slope, places.side(), heights);
   }
 }
 
@@ -74,22 +94,7 @@ std::vector<double> rasterHeights(const TileMesh& mesh, const TilePlaces& places
   const int side = places.side();
   std::vector<double> heights(std::size_t(side) * std::size_t(side),
                               std::numeric_limits<double>::quiet_NaN());
-  const std::vector<SpanCorner> corners = cornersOf(mesh, places);
-  const double columnUnits = kQuantizedMax / places.columnsPerTile();
-  SpanList<double> list;
-  for (std::size_t k = 0; k < mesh.indices.size(); k += 3) {
-    const SpanCorner& a = corners[mesh.indices[k]];
-    const SpanCorner* b = &corners[mesh.indices[k + 1]];
-    const SpanCorner* c = &corners[mesh.indices[k + 2]];
-    const std::int64_t area = doubledArea(a, *b, *c);
-    if (area == 0)
-      continue;
-    if (area < 0)
-      std::swap(b, c);
-    const double slope = heightPerColumn(a, *b, *c, columnUnits);
-    listSpans(a, *b, *c, places.rowV().data(), slope, list);
-    fillSpans(list, slope, side, heights);
-  }
+  fillTriangles(cornersOf(mesh, places), mesh.indices, places, heights.data());
   return heights;
 }
 
