@@ -23,13 +23,6 @@ bool contains(const std::vector<std::string>& words, const char* word) {
   return std::find(words.begin(), words.end(), word) != words.end();
 }
 
-/// CesiumJS: only the old name alone means the old byte order.
-ExtensionLengths lengthsOf(const LayerJson& layer) {
-  const bool old = contains(layer.extensions, "vertexnormals") &&
-                   !contains(layer.extensions, "octvertexnormals");
-  return old ? ExtensionLengths::bigEndian : ExtensionLengths::littleEndian;
-}
-
 Status about(const std::string& path, const Status& status) {
   return {status.code(), "'" + path + "': " + status.message()};
 }
@@ -94,6 +87,12 @@ Result<TerrainSet> TerrainSet::open(const std::string& path) {
   Result<TerrainSet> set = fromLayer(layerJsonPath(path));
   if (set.ok())
     QMESH_RETURN_IF_ERROR(set->findTiles());
+  return set;
+}
+
+Result<TerrainSet> TerrainSet::of(const std::string& layerPath, LayerJson layer) {
+  TerrainSet set(layerPath, std::move(layer));
+  QMESH_RETURN_IF_ERROR(set.findTiles());
   return set;
 }
 
@@ -192,6 +191,13 @@ void TerrainSet::learnFromFolders(Levels& levels) const {
     levels.push_back(found.ranges(zoom));
 }
 
+/// CesiumJS: only the old name alone means the old byte order.
+ExtensionLengths TerrainSet::extensionLengths() const {
+  const bool old = contains(layer_.extensions, "vertexnormals") &&
+                   !contains(layer_.extensions, "octvertexnormals");
+  return old ? ExtensionLengths::bigEndian : ExtensionLengths::littleEndian;
+}
+
 bool TerrainSet::mayHave(TileId tile) const {
   return lists(tile) ||
          (listedInTiles_ && tile.z > available_.maxZoom() && tile.z <= layer_.maxZoom);
@@ -222,7 +228,7 @@ Result<std::optional<TileMesh>> TerrainSet::readTile(TileId tile) const {
 }
 
 Result<TileMesh> TerrainSet::decode(TileId tile, const std::vector<std::uint8_t>& bytes) const {
-  const ExtensionLengths lengths = lengthsOf(layer_);
+  const ExtensionLengths lengths = extensionLengths();
   Result<TileMesh> mesh = [&]() -> Result<TileMesh> {
     if (!isGzip(bytes.data(), bytes.size()))
       return decodeTile(bytes.data(), bytes.size(), lengths);

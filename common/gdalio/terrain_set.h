@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/status.h"
+#include "codec/decode.h"
 #include "codec/layer_json.h"
 #include "codec/tile_mesh.h"
 #include "gdalio/tile_address.h"
@@ -29,11 +30,18 @@ class TerrainSet {
   /// is taken for geodetic with rows from the south. Code::input where the path has no numbers.
   static Result<TerrainSet> openTile(const std::string& path);
 
+  /// The set of a layer.json that the caller has read, and mended perhaps, himself. Code::input
+  /// where its tiles cannot be told.
+  static Result<TerrainSet> of(const std::string& layerPath, LayerJson layer);
+
   const std::string& layerPath() const { return layerPath_; }
   const LayerJson& layer() const { return layer_; }
   Scheme scheme() const { return Scheme(layer_.profile); }
   /// The only tile of a set that openTile() made.
   const std::optional<TileId>& singleTile() const { return single_; }
+
+  /// How its tiles write the lengths of extensions.
+  ExtensionLengths extensionLengths() const;
 
   /// What layer.json lists under "available"; without that key what the metadata of the root tiles
   /// lists ("metadataAvailability") or what lies in the folder.

@@ -4,8 +4,8 @@
 // gdal2qmesh: a DEM to Cesium quantized-mesh terrain. Exit codes: base/status.h.
 #include <cstdio>
 
-#include "console.h"
-#include "interrupt.h"
+#include "console/console.h"
+#include "console/interrupt.h"
 #include "options/help.h"
 #include "options/options_json.h"
 #include "options/parse.h"
@@ -17,7 +17,7 @@ namespace {
 using namespace qmesh;
 
 int runCommand(const std::vector<std::string>& words) {
-  Console console;
+  Console console("gdal2qmesh");
   const OptionTable table(simplifierChoices());
   const auto line = parseCommandLine(table, words);
   if (!line.ok()) {

@@ -10,8 +10,8 @@
 
 #include "build/estimate.h"
 #include "build/tileset_builder.h"
+#include "console/interrupt.h"
 #include "gdalio/make_terrain.h"
-#include "interrupt.h"
 #include "preview.h"
 #include "summary.h"
 

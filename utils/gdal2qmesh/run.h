@@ -3,7 +3,7 @@
 #pragma once
 
 #include "base/status.h"
-#include "console.h"
+#include "console/console.h"
 #include "options/build_options.h"
 
 namespace qmesh {

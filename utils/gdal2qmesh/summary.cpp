@@ -5,7 +5,7 @@
 #include <cstdarg>
 #include <cstdio>
 
-#include "console.h"
+#include "console/console.h"
 
 namespace qmesh {
 

@@ -4,7 +4,7 @@
 
 #include <random>
 
-#include "gdal2qmesh/console.h"
+#include "console/console.h"
 
 namespace qmesh {
 namespace {
@@ -88,7 +88,7 @@ TEST(Console, Durations) {
 template <class Talk> std::pair<std::string, std::string> said(Talk talk) {
   testing::internal::CaptureStdout();
   testing::internal::CaptureStderr();
-  Console console;
+  Console console("gdal2qmesh");
   talk(console);
   std::string out = testing::internal::GetCapturedStdout();
   return {out, testing::internal::GetCapturedStderr()};
@@ -121,7 +121,7 @@ TEST(Console, QuietLeavesErrorsOnly) {
 
 TEST(Console, ColumnsWithoutATerminal) {
   testing::internal::CaptureStdout();
-  EXPECT_EQ(Console().columns(), 80);
+  EXPECT_EQ(Console("gdal2qmesh").columns(), 80);
   testing::internal::GetCapturedStdout();
 }
 

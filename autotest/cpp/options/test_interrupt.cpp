@@ -8,7 +8,7 @@
 
 #include <cstdlib>
 
-#include "gdal2qmesh/interrupt.h"
+#include "console/interrupt.h"
 
 namespace qmesh {
 namespace {

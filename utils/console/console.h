@@ -3,6 +3,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstdio>
 #include <optional>
 #include <string>
 
@@ -33,11 +34,11 @@ class ProgressLine {
 /// "12 s", "3 min 20 s", "1 h 05 min".
 std::string durationText(double seconds);
 
-/// What the command says: messages and progress on stdout, warnings and errors on stderr. For one
-/// thread.
+/// What a command says: messages and progress on stdout (or where `out` says: a command whose
+/// results go there keeps it clean), warnings and errors on stderr. For one thread.
 class Console {
  public:
-  Console();
+  explicit Console(std::string program, std::FILE* out = stdout);
 
   void setQuiet(bool quiet) { quiet_ = quiet; }
   void setVerbose(bool verbose) { verbose_ = verbose; }
@@ -46,16 +47,16 @@ class Console {
   void message(const std::string& text);
   /// One line where verbose and not quiet.
   void detail(const std::string& text);
-  /// "gdal2qmesh: warning: TEXT"; nothing where quiet.
+  /// "PROGRAM: warning: TEXT"; nothing where quiet.
   void warning(const std::string& text);
-  /// "gdal2qmesh: error: TEXT".
+  /// "PROGRAM: error: TEXT".
   void error(const std::string& text);
   /// The usage line before it, as gdal2tiles has it.
   void usageError(const std::string& usage, const std::string& text);
 
   /// Progress 0..1; the time left is estimated from the first call.
   void progress(double done);
-  /// Columns of the terminal for the help: 80 where stdout is none, 100 at most.
+  /// Columns of the terminal for the help: 80 where it writes to none, 100 at most.
   int columns() const;
 
  private:
@@ -63,6 +64,8 @@ class Console {
   /// afterwards prints it from 0 again.
   void endProgress();
 
+  std::string program_;
+  std::FILE* out_;
   bool terminal_;
   bool quiet_ = false;
   bool verbose_ = false;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the qmesh authors
-#include "console.h"
+#include "console/console.h"
 
 #include <sys/ioctl.h>
 #include <unistd.h>
@@ -70,12 +70,14 @@ std::string ProgressLine::update(double done, double seconds) {
   return reached == kTicks ? text + "\n" : text;
 }
 
-Console::Console() : terminal_(isatty(STDOUT_FILENO) == 1), line_(terminal_) {}
+Console::Console(std::string program, std::FILE* out)
+    : program_(std::move(program)), out_(out), terminal_(isatty(fileno(out)) == 1),
+      line_(terminal_) {}
 
 void Console::endProgress() {
   if (!line_.open())
     return;
-  print(stdout, "\n");
+  print(out_, "\n");
   line_ = ProgressLine(terminal_);
 }
 
@@ -83,7 +85,7 @@ void Console::message(const std::string& text) {
   if (quiet_)
     return;
   endProgress();
-  print(stdout, text + "\n");
+  print(out_, text + "\n");
 }
 
 void Console::detail(const std::string& text) {
@@ -95,12 +97,12 @@ void Console::warning(const std::string& text) {
   if (quiet_)
     return;
   endProgress();
-  print(stderr, "gdal2qmesh: warning: " + text + "\n");
+  print(stderr, program_ + ": warning: " + text + "\n");
 }
 
 void Console::error(const std::string& text) {
   endProgress();
-  print(stderr, "gdal2qmesh: error: " + text + "\n");
+  print(stderr, program_ + ": error: " + text + "\n");
 }
 
 void Console::usageError(const std::string& usage, const std::string& text) {
@@ -116,14 +118,14 @@ void Console::progress(double done) {
     start_ = now;
   const std::string text = line_.update(done, std::chrono::duration<double>(now - *start_).count());
   if (!text.empty())
-    print(stdout, text);
+    print(out_, text);
 }
 
 int Console::columns() const {
   constexpr int kUsual = 80;
   constexpr int kMost = 100;
   winsize size = {};
-  if (!terminal_ || ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col == 0)
+  if (!terminal_ || ioctl(fileno(out_), TIOCGWINSZ, &size) != 0 || size.ws_col == 0)
     return kUsual;
   return std::min<int>(size.ws_col, kMost);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the qmesh authors
-#include "interrupt.h"
+#include "console/interrupt.h"
 
 #include <signal.h>
 #include <time.h>

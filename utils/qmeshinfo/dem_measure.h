@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the qmesh authors
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "base/progress.h"
+#include "gdalio/terrain_set.h"
+#include "options/info_options.h"
+
+namespace qmesh {
+
+/// How far a level's surface is from the DEM's cells, metres.
+struct LevelError {
+  int zoom = 0;
+  std::uint64_t cells = 0;     ///< compared
+  std::uint64_t uncovered = 0; ///< with a height, where the level has no surface
+  double max = 0;              ///< largest |surface - DEM|
+  double maxLon = 0, maxLat = 0;
+  double mean = 0; ///< of surface - DEM: above 0 where the terrain is too high
+  double rms = 0;
+  double p99 = 0; ///< 99 % of the cells are within it
+};
+
+struct DemReport {
+  std::string file;
+  int step = 1;
+  std::uint64_t cells = 0; ///< of the DEM looked at, voids included
+  std::uint64_t voids = 0;
+  std::vector<LevelError> levels;
+};
+
+/// Compares the surface of each zoom firstZoom..lastZoom that has tiles with the DEM of `options`
+/// (read as gdal2qmesh reads it) at the centres of its cells, every `demStep`-th. The errors are
+/// the same for any number of threads. With `errorRaster` the deepest of these zooms is written
+/// there. p99 is over all cells, or a regular part of them where there are more than 2 million.
+/// Code::input, Code::output or Code::interrupted.
+Result<DemReport> measureAgainstDem(const TerrainSet& set, int firstZoom, int lastZoom,
+                                    const InfoOptions& options, int threads,
+                                    std::vector<std::string>& warnings, const Progress& progress);
+
+} // namespace qmesh

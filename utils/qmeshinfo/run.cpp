@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the qmesh authors
+#include "run.h"
+
+#include <algorithm>
+#include <thread>
+
+#include <gdal.h>
+
+#include "console/interrupt.h"
+#include "info_report.h"
+
+namespace qmesh {
+
+namespace {
+
+int threadsOf(const InfoOptions& options) {
+  return options.threads > 0 ? options.threads
+                             : std::max(1, int(std::thread::hardware_concurrency()));
+}
+
+Result<std::set<int>> ignoredCodes(const InfoOptions& options) {
+  std::set<int> codes;
+  for (const std::string& text : options.ignore) {
+    const int code = codeOf(text);
+    if (code == 0)
+      return Status(Code::usage,
+                    "--ignore " + text + ": there is no such finding; --list-findings lists them");
+    codes.insert(code);
+  }
+  return codes;
+}
+
+/// The work on one set.
+class InfoRun {
+ public:
+  InfoRun(const InfoOptions& options, OpenedSet& opened, Console& console)
+      : options_(options), opened_(opened), set_(opened.set), console_(console),
+        firstZoom_(options.minZoom.value_or(0)),
+        lastZoom_(std::min(options.maxZoom.value_or(kMaxZoom), std::max(0, set_.maxZoom()))) {
+    report_.path = options.set;
+    report_.set = &set_;
+  }
+
+  Status run(FindingBook& book) {
+    QMESH_RETURN_IF_ERROR(describeOne());
+    if (options_.stats || options_.validate)
+      QMESH_RETURN_IF_ERROR(survey(book));
+    if (!options_.input.empty())
+      QMESH_RETURN_IF_ERROR(measure());
+    if (!options_.samples.empty())
+      QMESH_RETURN_IF_ERROR(sample());
+    const bool other = report_.tile || report_.dem || report_.samples;
+    report_.describe = !set_.singleTile() && (options_.stats || options_.validate || !other);
+    return {};
+  }
+
+  const InfoReport& report() const { return report_; }
+
+ private:
+  Progress progress() {
+    return [this](double done) {
+      console_.progress(done);
+      return !stopRequested();
+    };
+  }
+
+  Status describeOne() {
+    if (!options_.tile && !set_.singleTile())
+      return {};
+    TileId tile = set_.singleTile().value_or(TileId());
+    if (options_.tile)
+      tile = {int((*options_.tile)[0]), std::uint32_t((*options_.tile)[1]),
+              std::uint32_t((*options_.tile)[2])};
+    Result<TileReport> described = describeTile(set_, tile);
+    // A tile that is to be validated may be one that cannot be decoded.
+    if (!described.ok() && set_.singleTile() && options_.validate)
+      return {};
+    if (!described.ok())
+      return described.status();
+    report_.tile = *std::move(described);
+    return exportTile(*report_.tile, options_);
+  }
+
+  Status survey(FindingBook& book) {
+    SurveyPlan plan;
+    plan.firstZoom = firstZoom_;
+    plan.lastZoom = lastZoom_;
+    plan.threads = threadsOf(options_);
+    plan.book = options_.validate ? &book : nullptr;
+    Result<Survey> survey = surveySet(opened_, plan, progress());
+    if (!survey.ok())
+      return survey.status();
+    report_.survey = *std::move(survey);
+    report_.book = plan.book;
+    return {};
+  }
+
+  Status measure() {
+    std::vector<std::string> warnings;
+    Result<DemReport> dem = measureAgainstDem(set_, firstZoom_, lastZoom_, options_,
+                                              threadsOf(options_), warnings, progress());
+    for (const std::string& warning : warnings)
+      console_.warning(warning);
+    if (!dem.ok())
+      return dem.status();
+    report_.dem = *std::move(dem);
+    return {};
+  }
+
+  Status sample() {
+    Result<std::vector<Sample>> samples = samplePlaces(set_, lastZoom_, options_.samples);
+    if (!samples.ok())
+      return samples.status();
+    report_.samples = *std::move(samples);
+    return {};
+  }
+
+  const InfoOptions& options_;
+  OpenedSet& opened_;
+  const TerrainSet& set_;
+  Console& console_;
+  int firstZoom_, lastZoom_;
+  InfoReport report_;
+};
+
+} // namespace
+
+Result<InfoResult> runInfo(const InfoOptions& options, Console& console) {
+  const Result<std::set<int>> ignored = ignoredCodes(options);
+  if (!ignored.ok())
+    return ignored.status();
+  GDALAllRegister();
+  Result<OpenedSet> opened = openSet(options.set);
+  if (!opened.ok())
+    return opened.status();
+  if (!options.validate)
+    for (const Finding& finding : opened->layerFindings)
+      if (findingKind(finding.code).severity == Severity::error)
+        console.warning(codeText(finding.code) + ": " + findingKind(finding.code).title +
+                        (finding.what.empty() ? "" : ": " + finding.what) +
+                        " (--validate tells more)");
+  FindingBook book(std::size_t(options.maxFindings), *ignored);
+  InfoRun run(options, *opened, console);
+  QMESH_RETURN_IF_ERROR(run.run(book));
+  InfoResult result;
+  result.text = options.json ? infoJson(run.report()) : infoText(run.report());
+  result.foundError = book.count(Severity::error) > 0;
+  return result;
+}
+
+} // namespace qmesh
