@@ -79,7 +79,7 @@ Kinds layerKinds() {
        "Write \"bounds\" in degrees, whatever the projection."},
       {119, kWarning, "\"bounds\" leave out tiles",
        "Programs that go by them do not show the tiles outside.", "Write the box around the data."},
-      {120, kWarning, "an extension is unknown",
+      {120, kWarning, "a word in \"extensions\" is unknown",
        "Clients ask for octvertexnormals, watermask and metadata only.",
        "Correct or remove the word in \"extensions\"."},
       {121, kWarning, "the extension has its old name",

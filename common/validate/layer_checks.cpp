@@ -67,13 +67,16 @@ void LayerCheck::checkTiles() {
     doc_["tiles"] = Json::array(
         {tiles.is_string() ? tiles.get<std::string>() : std::string("{z}/{x}/{y}.terrain")});
   }
-  for (const Json& pattern : doc_["tiles"]) {
+  for (Json& pattern : doc_["tiles"]) {
     if (!pattern.is_string())
       continue;
     const auto text = pattern.get<std::string>();
     const auto has = [&](const char* word) { return text.find(word) != std::string::npos; };
+    const std::size_t before = findings_.size();
     if (!has("{z}") || !has("{x}") || !(has("{y}") || has("{reverseY}")))
       add(117, "\"" + text + "\"");
+    if (findings_.size() > before)
+      pattern = "{z}/{x}/{y}.terrain";
     if (has("{version}") && member(doc_, "version").is_null())
       add(116, "\"" + text + "\"");
   }

@@ -92,6 +92,7 @@ Bytes inRightWidth(const Bytes& bytes, const TileLayout& layout) {
   copy(layout.indices, layout.indices.count / 3);
   for (const TileLayout::Part& edge : layout.edges)
     copy(edge, edge.count);
+  out.insert(out.end(), bytes.begin() + std::ptrdiff_t(layout.extensionsAt), bytes.end());
   return out;
 }
 
@@ -225,10 +226,13 @@ void Reader::read(const Bytes& bytes, ReadTile& tile) {
   TileLayout layout = tileLayout(bytes, lengths_);
   if (otherLengths(bytes, layout))
     add(211, std::to_string(layout.extensions.size()) + " extensions");
-  for (const TileLayout::Extension& extension : layout.extensions)
-    tile.extensions.push_back(extension.id);
   Result<TileMesh> mesh = decodeTile(bytes.data(), bytes.size(), lengths_);
+  const auto name = [&](const TileLayout& l) {
+    for (const TileLayout::Extension& extension : l.extensions)
+      tile.extensions.push_back(extension.id);
+  };
   if (mesh.ok()) {
+    name(layout);
     tile.mesh = *std::move(mesh);
     checkExtensions(bytes, layout);
     return;
@@ -241,6 +245,7 @@ void Reader::read(const Bytes& bytes, ReadTile& tile) {
     add(207, std::to_string(8 * other->indexWidth) + " bits for " +
                  std::to_string(other->vertices.count) + " vertices");
     const Bytes right = inRightWidth(bytes, *other);
+    name(*other);
     if (checkVertices(bytes, *other))
       tile.mesh = mended(right, tileLayout(right, lengths_));
     return;
@@ -249,6 +254,7 @@ void Reader::read(const Bytes& bytes, ReadTile& tile) {
     add(204, layout.missing.empty() ? "there are no vertices" : "it ends in its " + layout.missing);
     return;
   }
+  name(layout);
   const bool vertices = checkVertices(bytes, layout);
   if (!layout.missing.empty()) {
     add(204, "it ends in its " + layout.missing);

@@ -70,7 +70,7 @@ struct MeasuredBlock {
 class Worker {
  public:
   static Result<std::unique_ptr<Worker>> open(const TerrainSet& set, const RasterInput& dem) {
-    Result<DatasetPtr> dataset = dem.reopen();
+    Result<DatasetPtr> dataset = dem.access.open();
     if (!dataset.ok())
       return dataset.status();
     Result<PointTransform> transform = PointTransform::create(dem.srs, lonLatSrs(), dem.path);
@@ -82,8 +82,8 @@ class Worker {
   Worker(const TerrainSet& set, const RasterInput& dem, DatasetPtr dataset,
          PointTransform transform)
       : scheme_(set.scheme()), dem_(dem), dataset_(std::move(dataset)),
-        transform_(std::move(transform)), reader_(*dataset_->GetRasterBand(dem.band), dem.values,
-                                                  PixelLevel::full(dem.frame), 0, dem.path),
+        transform_(std::move(transform)),
+        reader_(*dataset_->GetRasterBand(dem.band), dem, PixelLevel::full(dem.frame), 0),
         tiles_(set) {}
 
   MeasuredBlock measure(const Block& block, const CellGrid& grid, const std::vector<int>& zooms,
@@ -246,7 +246,7 @@ class BlockList {
 Result<DemReport> measureAgainstDem(const TerrainSet& set, int firstZoom, int lastZoom,
                                     const InfoOptions& options, int threads,
                                     std::vector<std::string>& warnings, const Progress& progress) {
-  const Result<RasterInput> dem = describeRaster(options, warnings);
+  const Result<RasterInput> dem = describeRaster(options, nullptr, warnings);
   if (!dem.ok())
     return dem.status();
   const CellGrid grid = gridOf(dem->frame, options.demStep);

@@ -48,7 +48,7 @@ Result<OpenedSet> openSet(const std::string& path) {
     Result<TerrainSet> tile = TerrainSet::openTile(path);
     if (!tile.ok())
       return tile.status();
-    return OpenedSet{*std::move(tile), {}, false};
+    return OpenedSet{*std::move(tile), {}, false, false};
   }
   const std::string layerPath = layerJsonPath(path);
   const Result<std::string> text = layerText(layerPath);
@@ -64,7 +64,7 @@ Result<OpenedSet> openSet(const std::string& path) {
     return Status(Code::input, findings[0].code == 101
                                    ? "there is no '" + layerPath + "', nor tiles beside it"
                                    : "'" + layerPath + "' cannot be read: " + findings[0].what);
-  return OpenedSet{*std::move(set), std::move(findings), checked.available};
+  return OpenedSet{*std::move(set), std::move(findings), checked.available, !unreadable};
 }
 
 } // namespace qmesh

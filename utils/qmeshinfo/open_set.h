@@ -14,6 +14,7 @@ struct OpenedSet {
   TerrainSet set;
   Findings layerFindings; ///< of its layer.json; none for one tile alone
   bool listed = false;    ///< whether layer.json lists the tiles
+  bool announced = false; ///< whether there is a layer.json that says what tiles have
 };
 
 /// Opens a folder, layer.json, tile or address. A layer.json with faults is mended and the faults

@@ -67,7 +67,8 @@ struct SeenTile {
 class Surveyor {
  public:
   Surveyor(const OpenedSet& opened, const SurveyPlan& plan, const Progress& progress)
-      : set_(opened.set), plan_(plan), progress_(progress), total_(tilesOf(opened.set, plan)) {}
+      : set_(opened.set), announced_(opened.announced), plan_(plan), progress_(progress),
+        total_(tilesOf(opened.set, plan)) {}
 
   Status level(int zoom);
   Survey& result() { return survey_; }
@@ -78,6 +79,7 @@ class Surveyor {
   Status take(TileId tile, SeenTile seen, LevelStats& level, SeamWalk& seams);
 
   const TerrainSet& set_;
+  bool announced_;
   const SurveyPlan& plan_;
   const Progress& progress_;
   std::uint64_t total_;
@@ -152,7 +154,7 @@ void Surveyor::check(TileId tile, const ReadTile& read, SeenTile& seen) const {
   const TileContext context{tile, scheme.box(tile), scheme.geometricError(tile.z), tileName(tile)};
   checkMesh(*read.mesh, context, seen.findings);
   checkHeader(*read.mesh, earthFixed(*read.mesh, context.box), context, seen.findings);
-  if (!set_.singleTile())
+  if (announced_)
     checkExtensions(read, context, set_.layer(), set_.available(), seen.findings);
   seen.edges = tileEdges(*read.mesh);
 }
