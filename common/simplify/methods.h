@@ -15,6 +15,10 @@ std::unique_ptr<Simplifier> createGreedy(const MethodOptions& options);
 /// QMESH_WITH_CGAL.
 std::unique_ptr<Simplifier> createCollapse(const MethodOptions& options);
 
+/// Edge collapse by quadric errors (Garland & Heckbert 1997) down to the smallest visible object
+/// (Ai et al. 2019).
+std::unique_ptr<Simplifier> createQem(const MethodOptions& options);
+
 /// Every node a vertex.
 std::unique_ptr<Simplifier> createAllNodes(const MethodOptions& options);
 

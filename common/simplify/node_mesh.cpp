@@ -2,6 +2,10 @@
 // Copyright (c) 2026 the qmesh authors
 #include "simplify/node_mesh.h"
 
+#include <algorithm>
+
+#include "simplify/grid_strips.h"
+
 namespace qmesh {
 
 void NodeMesh::reset(const HeightTile& tile, const TileFrame& frame, const Border& border,
@@ -33,17 +37,39 @@ void NodeMesh::reset(const HeightTile& tile, const TileFrame& frame, const Tin& 
 }
 
 void NodeMesh::insertEdge(const std::vector<std::uint16_t>& places, Edge edge) {
+  for (std::size_t k = 1; k + 1 < places.size(); ++k)
+    triangulation_.insert(makeBorderVertex(edge, places[k]), triangulation_.changed().back());
+}
+
+void NodeMesh::resetToAllNodes(const HeightTile& tile, const TileFrame& frame,
+                               const Border& border) {
+  tile_ = &tile;
+  frame_ = &frame;
+  const int n = frame.cells();
+  GridWithStrips grid(n);
+  for (int j = 1; j < n; ++j) {
+    for (int i = 1; i < n; ++i)
+      grid.vertices.push_back(makeVertex(i, j));
+  }
+  grid.addCells();
+  for (const Edge edge : {kSouth, kEast, kNorth, kWest}) {
+    std::vector<NodeVertex> side;
+    for (const std::uint16_t place : border[edge])
+      side.push_back(makeBorderVertex(edge, place));
+    if (edge == kNorth || edge == kWest)
+      std::reverse(side.begin(), side.end());
+    grid.addStrip(edge, side);
+  }
+  triangulation_.reset(grid.vertices, grid.triangles);
+}
+
+NodeVertex NodeMesh::makeBorderVertex(Edge edge, std::uint16_t place) const {
   const int n = frame_->cells();
   const bool far = edge == kEast || edge == kNorth;
-  for (std::size_t k = 1; k + 1 < places.size(); ++k) {
-    const int place = places[k];
-    const int across = far ? kQuantizedMax : 0;
-    const bool alongRow = edge == kSouth || edge == kNorth;
-    const int node = alongRow ? frame_->nearestColumn(places[k]) : frame_->nearestRow(places[k]);
-    const NodeVertex vertex = alongRow ? makeVertex(node, far ? n : 0, place, across)
-                                       : makeVertex(far ? n : 0, node, across, place);
-    triangulation_.insert(vertex, triangulation_.changed().back());
-  }
+  const int across = far ? kQuantizedMax : 0;
+  if (edge == kSouth || edge == kNorth)
+    return makeVertex(frame_->nearestColumn(place), far ? n : 0, place, across);
+  return makeVertex(far ? n : 0, frame_->nearestRow(place), across, place);
 }
 
 NodeVertex NodeMesh::makeVertex(int i, int j, int u, int v) const {

@@ -2,6 +2,7 @@
 // Copyright (c) 2026 the qmesh authors
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -24,10 +25,15 @@ class NodeMesh {
   /// Begins with a TIN of any vertices; each counts as one of the node nearest to it.
   /// REQUIRES: as above, and checkTin() passes.
   void reset(const HeightTile& tile, const TileFrame& frame, const Tin& tin);
+  /// Begins with all inner nodes within the border's vertices: cells cut along the diagonal whose
+  /// ends differ less in height, and a strip along each edge. Not Delaunay.
+  void resetToAllNodes(const HeightTile& tile, const TileFrame& frame, const Border& border);
 
   /// The vertex for node (i, j) at the frame's place or at another one.
   NodeVertex makeVertex(int i, int j) const;
   NodeVertex makeVertex(int i, int j, int u, int v) const;
+  /// The vertex at a place of the border.
+  NodeVertex makeBorderVertex(Edge edge, std::uint16_t place) const;
 
   /// Makes an inner node a vertex; the search begins near the last change, or at the triangle
   /// `hint`. REQUIRES: it is none yet.

@@ -23,6 +23,9 @@ const std::vector<SimplifierInfo>& simplifiers() {
       {"wlop", "point set", "keeps sharp edges and nodes spread evenly over the surface", false,
        "retain-percent", createWlopPoints},
 #endif
+      {"qem", "decimation",
+       "collapses the edge with the least quadric error until details would show", false, "svo",
+       createQem},
       {"delaunay", "reference", "keeps every node: the reference to compare with", false, "",
        createAllNodes},
   };

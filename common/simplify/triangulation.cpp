@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <numeric>
 
 namespace qmesh {
 
@@ -48,15 +47,22 @@ void Triangulation::reset(const std::vector<NodeVertex>& vertices,
     const std::int32_t slot = newTriangle();
     setTriangle(slot, std::int32_t(t[0]), std::int32_t(t[1]), std::int32_t(t[2]));
   }
-  // The two half-edges of an edge, sorted by its vertices, are neighbours.
-  std::vector<std::int32_t> byEdge(origin_.size());
-  std::iota(byEdge.begin(), byEdge.end(), 0);
-  const auto ends = [this](std::int32_t e) { return std::minmax({origin(e), origin(next(e))}); };
-  std::sort(byEdge.begin(), byEdge.end(),
-            [&](std::int32_t a, std::int32_t b) { return ends(a) < ends(b); });
-  for (std::size_t k = 1; k < byEdge.size(); ++k) {
-    if (ends(byEdge[k - 1]) == ends(byEdge[k]))
-      link(byEdge[k - 1], byEdge[k]);
+  linkTwins();
+}
+
+/// Finds the two half-edges of every edge by the smaller of its vertices.
+void Triangulation::linkTwins() {
+  std::vector<std::int32_t> last(vertices_.size(), kNone), before(origin_.size(), kNone);
+  for (std::int32_t e = 0; e < std::int32_t(origin_.size()); ++e) {
+    const std::int32_t a = origin(e), b = destination(e);
+    std::int32_t& list = last[std::size_t(std::min(a, b))];
+    std::int32_t other = list;
+    while (other != kNone && (origin(other) != b || destination(other) != a))
+      other = before[std::size_t(other)];
+    if (other != kNone)
+      link(e, other);
+    before[std::size_t(e)] = list;
+    list = e;
   }
 }
 
@@ -237,12 +243,19 @@ void Triangulation::flip(std::int32_t t) {
 
 void Triangulation::star(std::int32_t v, std::vector<std::int32_t>& halfEdges) const {
   halfEdges.clear();
-  const std::int32_t first = leaving(v);
+  std::int32_t first = leaving(v);
   std::int32_t e = first;
   do {
     halfEdges.push_back(e);
     e = twin(previous(e));
-  } while (e != first);
+  } while (e != first && e != kNone);
+  if (e != kNone)
+    return;
+  while (twin(first) != kNone)
+    first = next(twin(first));
+  halfEdges.clear();
+  for (e = first; e != kNone; e = twin(previous(e)))
+    halfEdges.push_back(e);
 }
 
 void Triangulation::collapse(std::int32_t v, std::int32_t target) {

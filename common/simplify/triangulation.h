@@ -49,7 +49,9 @@ class Triangulation {
   /// REQUIRES: every triangle that keeps two other corners of its star stays counter-clockwise.
   void collapse(std::int32_t vertex, std::int32_t target);
 
-  /// The half-edges that leave an inner vertex, counter-clockwise.
+  /// The half-edges that leave a vertex, counter-clockwise. At a vertex of the square's edges they
+  /// begin with the one on the edge; the neighbour behind the last one is that one's previous
+  /// origin.
   void star(std::int32_t vertex, std::vector<std::int32_t>& halfEdges) const;
 
   /// Slots of triangles ever made; those of collapsed ones are not alive.
@@ -83,6 +85,7 @@ class Triangulation {
   void link(std::int32_t halfEdge, std::int32_t other);
   void splitTriangle(std::int32_t t, std::int32_t p);
   void splitEdge(std::int32_t halfEdge, std::int32_t p);
+  void linkTwins();
   void restoreDelaunay(std::int32_t p);
   void flip(std::int32_t t);
   void moveCorner(std::int32_t halfEdge, std::int32_t target);

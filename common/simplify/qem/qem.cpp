@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the qmesh authors
+#include <limits>
+
+#include "geo/ellipsoid.h"
+#include "options/level_spec.h"
+#include "simplify/finish.h"
+#include "simplify/methods.h"
+#include "simplify/node_mesh.h"
+#include "simplify/qem/edge_collapser.h"
+
+namespace qmesh {
+
+namespace {
+
+/// Where nothing is asked for: the smallest visible object in max errors of the level, so that
+/// there are about as many triangles as greedy makes (docs/algorithms/qem.md).
+constexpr double kSvoPerMaxError = 0.6;
+
+/// The tile in metres around its middle, where it is flat enough: a degree of longitude is as long
+/// there as on the middle parallel.
+EdgeCollapser::Scale metricScale(const HeightTile& tile) {
+  const GeoBox box = tile.lattice().scheme().box(tile.id());
+  const double latitude = (box.south + box.north) / 2;
+  const double degreesEast = (box.east - box.west) / kQuantizedMax;
+  const double degreesNorth = (box.north - box.south) / kQuantizedMax;
+  return {degreesEast * wgs84::metresPerDegreeEast(latitude),
+          degreesNorth * wgs84::metresPerDegreeNorth(latitude)};
+}
+
+/// Garland & Heckbert, "Surface simplification using quadric error metrics" (1997), on the grid of
+/// all nodes; stops as Ai et al., "Continuous-scale 3D terrain visualization based on a
+/// detail-increment model" (2019), at the smallest visible object.
+class Qem final : public Simplifier {
+ public:
+  explicit Qem(const MethodOptions& options) : options_(options) {}
+
+  Status simplify(const HeightTile& tile, const TileFrame& frame, const Border& border,
+                  const LevelParams& level, Tin& out) override;
+
+ private:
+  /// When to stop.
+  struct Stop {
+    double svo;           ///< metres
+    std::size_t vertices; ///< left
+  };
+
+  Result<Stop> stopAt(const LevelParams& level, int cells) const;
+  void markStaying(int keptCells);
+
+  MethodOptions options_;
+  NodeMesh nodes_;
+  EdgeCollapser collapser_;
+  std::vector<std::uint8_t> stays_;
+};
+
+/// The first of the thresholds that were asked for counts; the SVO has a default where none was.
+Result<Qem::Stop> Qem::stopAt(const LevelParams& level, int cells) const {
+  const auto svo = specValue(options_.svo, level.zoom);
+  if (!svo.ok())
+    return svo.status();
+  const auto ratio = specValue(options_.ratio, level.zoom);
+  if (!ratio.ok())
+    return ratio.status();
+  const double all = double(cells + 1) * (cells + 1);
+  const double otherwise =
+      *ratio ? std::numeric_limits<double>::infinity() : kSvoPerMaxError * level.maxError;
+  return Stop{svo->value_or(otherwise), std::size_t(ratio->value_or(0) * all)};
+}
+
+/// The edges' vertices and the nodes of the curvature grid.
+void Qem::markStaying(int keptCells) {
+  stays_.clear();
+  const int n = kQuantizedMax;
+  for (const NodeVertex& vertex : nodes_.triangulation().vertices()) {
+    const SpanCorner& corner = vertex.corner;
+    const bool border = corner.u == 0 || corner.v == 0 || corner.u == n || corner.v == n;
+    stays_.push_back(border || (vertex.i % keptCells == 0 && vertex.j % keptCells == 0) ? 1 : 0);
+  }
+}
+
+Status Qem::simplify(const HeightTile& tile, const TileFrame& frame, const Border& border,
+                     const LevelParams& level, Tin& out) {
+  const Result<Stop> stop = stopAt(level, frame.cells());
+  if (!stop.ok())
+    return stop.status();
+  nodes_.resetToAllNodes(tile, frame, border);
+  markStaying(frame.cells() / level.baseGrid);
+  collapser_.reset(nodes_.triangulation(), metricScale(tile), stays_);
+  while (collapser_.vertices() > stop->vertices && collapser_.findNext() &&
+         collapser_.nextSvo() <= stop->svo)
+    collapser_.collapse();
+  nodes_.triangulation().forgetChanges();
+  nodes_.write(out);
+  finishTin(tile, frame, level, StopReason::parameter, out);
+  return {};
+}
+
+} // namespace
+
+std::unique_ptr<Simplifier> createQem(const MethodOptions& options) {
+  return std::make_unique<Qem>(options);
+}
+
+} // namespace qmesh
