@@ -19,14 +19,22 @@ Vec3 crossProduct(const Vec3& a, const Vec3& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-/// Of equal costs the nodes of the finest grid go first, then those of the next coarser one: on
-/// level ground vertices thin out evenly, and none gathers a long row of others.
+/// The lowest bit of a number in which it has a one; 10 for 0 and for multiples of 1024.
+std::uint32_t lowestBit(std::uint32_t number) {
+  std::uint32_t bit = 0;
+  while (bit < 10 && (number >> bit & 1) == 0)
+    ++bit;
+  return bit;
+}
+
+/// Of equal costs the nodes of the finest grid go first, from the middles of its cells, then those
+/// of the next coarser one: on level ground vertices thin out evenly, and none gathers a long row
+/// of others.
 std::vector<std::uint32_t> ranks(const Triangulation& mesh) {
   std::vector<std::uint32_t> ranks;
   for (const NodeVertex& vertex : mesh.vertices()) {
-    std::uint32_t level = 0;
-    while (level < 10 && ((vertex.i | vertex.j) >> level & 1) == 0)
-      ++level;
+    const std::uint32_t i = lowestBit(vertex.i), j = lowestBit(vertex.j);
+    const std::uint32_t level = 2 * std::min(i, j) + (i == j ? 0 : 1);
     ranks.push_back(level << 24 | std::uint32_t(ranks.size()));
   }
   return ranks;
@@ -100,7 +108,8 @@ void EdgeCollapser::readRing(std::int32_t v) {
   for (const std::int32_t e : star_) {
     const std::int32_t end = mesh_->destination(e);
     const SpanCorner& corner = mesh_->vertex(end).corner;
-    ring_.push_back({end, corner.u - centre.u, corner.v - centre.v, costOf(v, end)});
+    ring_.push_back(
+        {end, corner.u - centre.u, corner.v - centre.v, costOf(v, end), heap_.rank(end)});
   }
 }
 

@@ -53,15 +53,17 @@ class EdgeCollapser {
     std::int32_t vertex;
     std::int32_t u;
     std::int32_t v;
-    double cost; ///< of moving the vertex onto it
+    double cost;        ///< of moving the vertex onto it
+    std::uint32_t rank; ///< when it would go itself
 
     std::int64_t squaredLength() const { return std::int64_t(u) * u + std::int64_t(v) * v; }
-    /// Cheaper; of equal ones the nearer, so that no vertex gathers all others around it.
+    /// Cheaper; of equal ones the nearer, then the one that stays longer: no vertex gathers all
+    /// others around it.
     bool isBetter(const Neighbour& o) const {
       if (cost != o.cost)
         return cost < o.cost;
       const std::int64_t here = squaredLength(), there = o.squaredLength();
-      return here != there ? here < there : vertex < o.vertex;
+      return here != there ? here < there : rank > o.rank;
     }
   };
 

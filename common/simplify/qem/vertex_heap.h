@@ -17,6 +17,7 @@ class VertexHeap {
   bool empty() const { return heap_.empty(); }
   bool contains(std::int32_t vertex) const { return position_[std::size_t(vertex)] >= 0; }
   std::int32_t top() const { return heap_.front(); }
+  std::uint32_t rank(std::int32_t vertex) const { return rank_[std::size_t(vertex)]; }
   double cost(std::int32_t vertex) const { return cost_[std::size_t(vertex)]; }
 
   /// Puts a vertex in or gives it another cost.
@@ -27,7 +28,7 @@ class VertexHeap {
  private:
   bool before(std::int32_t a, std::int32_t b) const {
     const double costA = cost(a), costB = cost(b);
-    return costA != costB ? costA < costB : rank_[std::size_t(a)] < rank_[std::size_t(b)];
+    return costA != costB ? costA < costB : rank(a) < rank(b);
   }
   void place(std::size_t at, std::int32_t vertex);
   void siftUp(std::size_t at);
