@@ -56,11 +56,14 @@ void EdgeCollapser::reset(Triangulation& mesh, const Scale& scale,
                        (vertex.corner.v - middle) * scale.north, vertex.corner.height});
   vertices_ = points_.size();
   errorSum_ = errorRest_ = 0;
+  largestMean_ = std::numeric_limits<double>::infinity();
   addQuadrics();
   heap_.reset(ranks(mesh));
   target_.assign(points_.size(), Triangulation::kNone);
-  for (std::int32_t v = 0; v < std::int32_t(points_.size()); ++v)
-    evaluate(v);
+  for (std::int32_t v = 0; v < std::int32_t(points_.size()); ++v) {
+    if (!stays_[std::size_t(v)])
+      heap_.set(v, 0); // less it cannot cost; to be found out when it comes to the top
+  }
 }
 
 /// Every vertex begins with the planes of its triangles.
@@ -127,6 +130,11 @@ bool EdgeCollapser::seesRing(std::size_t m) const {
   return true;
 }
 
+bool EdgeCollapser::isAllowed(std::int32_t v, const Neighbour& neighbour) const {
+  const double planes = quadric(v).planes + quadric(neighbour.vertex).planes;
+  return neighbour.cost <= largestMean_ * planes;
+}
+
 /// Finds the best neighbour to move a vertex onto.
 void EdgeCollapser::evaluate(std::int32_t v) {
   if (stays_[std::size_t(v)])
@@ -140,7 +148,7 @@ void EdgeCollapser::evaluate(std::int32_t v) {
   std::make_heap(order_.begin(), order_.end(), isWorse);
   for (; !order_.empty(); order_.pop_back()) {
     const auto best = std::size_t(order_.front());
-    if (seesRing(best)) {
+    if (isAllowed(v, ring_[best]) && seesRing(best)) {
       target_[std::size_t(v)] = ring_[best].vertex;
       heap_.set(v, ring_[best].cost);
       return;

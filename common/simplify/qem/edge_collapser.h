@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "geo/vec3.h"
@@ -30,6 +31,10 @@ class EdgeCollapser {
   /// REQUIRES: the mesh lives as long and nobody else changes it; a `log`, if not null, is cleared.
   void reset(Triangulation& mesh, const Scale& scale, const std::vector<std::uint8_t>& stays,
              CollapseLog* log = nullptr);
+
+  /// From now on no collapse leaves a vertex with planes farther away than this, as the root of the
+  /// mean square of its distances to them, metres. DEFAULT: any distance.
+  void setLargestDistance(double metres) { largestMean_ = metres * metres; }
 
   /// Vertices of the mesh as it is.
   std::size_t vertices() const { return vertices_; }
@@ -68,6 +73,7 @@ class EdgeCollapser {
   };
 
   void addQuadrics();
+  bool isAllowed(std::int32_t v, const Neighbour& neighbour) const;
   void evaluate(std::int32_t v);
   void readRing(std::int32_t v);
   void touch(std::int32_t v, std::int32_t target);
@@ -87,7 +93,8 @@ class EdgeCollapser {
   std::vector<std::int32_t> target_; ///< by vertex in the heap: the cheapest; kNone: to be found
   VertexHeap heap_;
   std::size_t vertices_ = 0;
-  double errorSum_ = 0, errorRest_ = 0; ///< of meanError, compensated
+  double largestMean_ = std::numeric_limits<double>::infinity(); ///< square metres
+  double errorSum_ = 0, errorRest_ = 0;                          ///< of meanError, compensated
   std::vector<std::int32_t> star_;
   std::vector<Neighbour> ring_;
   std::vector<std::int32_t> order_; ///< of the ring, as a heap: the best in front

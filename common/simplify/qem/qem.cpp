@@ -17,6 +17,10 @@ namespace {
 /// there are about as many triangles as greedy makes (docs/algorithms/qem.md).
 constexpr double kSvoPerMaxError = 0.6;
 
+/// No vertex may be farther from what it stands for than so many smallest visible objects: else a
+/// few cliffs would use up the mean of all others.
+constexpr double kLargestPerSvo = 3;
+
 /// The tile in metres around its middle, where it is flat enough: a degree of longitude is as long
 /// there as on the middle parallel.
 EdgeCollapser::Scale metricScale(const HeightTile& tile) {
@@ -87,6 +91,7 @@ Status Qem::simplify(const HeightTile& tile, const TileFrame& frame, const Borde
   nodes_.resetToAllNodes(tile, frame, border);
   markStaying(frame.cells() / level.baseGrid);
   collapser_.reset(nodes_.triangulation(), metricScale(tile), stays_);
+  collapser_.setLargestDistance(kLargestPerSvo * stop->svo);
   while (collapser_.vertices() > stop->vertices && collapser_.findNext() &&
          collapser_.nextSvo() <= stop->svo)
     collapser_.collapse();
