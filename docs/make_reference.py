@@ -77,8 +77,25 @@ def options_page(program):
     return "\n".join(lines)
 
 
+def findings_page():
+    """A table for each group of what `qmeshinfo --validate` can say."""
+    kinds = json.loads(said_by("qmeshinfo", "--json", "--list-findings"))["findings"]
+    lines = []
+    for group in dict.fromkeys(kind["group"] for kind in kinds):
+        lines += [f"### {group[0].upper() + group[1:] if group != 'layer.json' else group}", ""]
+        lines += ["| code | severity | finding | what it does | cure |", "|---|---|---|---|---|"]
+        for kind in kinds:
+            if kind["group"] == group:
+                cells = (cell(kind[key]) for key in ("code", "severity", "title", "explanation", "cure"))
+                lines.append("| " + " | ".join(cells) + " |")
+        lines.append("")
+    return "\n".join(lines)
+
+
 PAGES = {
     "options-gdal2qmesh.md": lambda: options_page("gdal2qmesh"),
+    "options-qmeshinfo.md": lambda: options_page("qmeshinfo"),
+    "findings.md": findings_page,
 }
 
 

@@ -2,6 +2,8 @@
 // Copyright (c) 2026 the qmesh authors
 #include "gdalio/quiet_errors.h"
 
+#include "base/text.h"
+
 namespace qmesh {
 
 QuietErrors::QuietErrors() {
@@ -20,7 +22,7 @@ std::string QuietErrors::explain(const std::string& sentence) const {
 void CPL_STDCALL QuietErrors::handle(CPLErr kind, CPLErrorNum, const char* text) {
   auto* self = static_cast<QuietErrors*>(CPLGetErrorHandlerUserData());
   if (kind >= CE_Failure && self->failure_.empty())
-    self->failure_ = text;
+    self->failure_ = trimmed(text);
 }
 
 } // namespace qmesh

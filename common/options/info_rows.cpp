@@ -170,9 +170,9 @@ ProgramText infoProgram() {
        "The same of a set on a server, for a program."},
       {"qmeshinfo --dem dem.tif --error-raster error.tif terrain",
        "How far each level is from the DEM, and where."},
-      {"qmeshinfo --tile 9/183/358 --export tile.obj --draw tile.png terrain",
+      {"qmeshinfo --tile 10/544/718 --export tile.obj --draw tile.png terrain",
        "One tile: its header, its mesh for another program, its picture."},
-      {"qmeshinfo --sample -98.2,33.2 terrain", "The height at a place."},
+      {"qmeshinfo --sample -84.35,36.38 terrain", "The height at a place."},
   };
   text.exitCodes = {
       {0, "done; with --validate: no finding is an error"},
