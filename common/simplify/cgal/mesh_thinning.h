@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the qmesh authors
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "simplify/cgal/collapse_mesh.h"
+#include "simplify/decimator.h"
+#include "simplify/node_heights.h"
+#include "simplify/triangulation.h"
+
+namespace qmesh {
+
+/// Takes the inner nodes out of a start mesh that the heights do not need within a small tolerance
+/// (Decimator): three to ten times fewer edges for CGAL to look at, and as good a result, because
+/// the judge still looks at every node. Memory is kept from tile to tile.
+class MeshThinning {
+ public:
+  /// `tolerance`: metres. Fixed vertices stay. The order of the others is kept.
+  void run(const HeightTile& tile, const TileFrame& frame, int keptCells, double tolerance,
+           CollapseMesh& mesh);
+
+ private:
+  void load(const HeightTile& tile, const TileFrame& frame, const CollapseMesh& mesh);
+  void store(CollapseMesh& mesh);
+
+  std::vector<NodeVertex> vertices_;
+  std::vector<std::uint32_t> newIndex_;
+  Triangulation triangulation_;
+  NodeHeights heights_;
+  Decimator decimator_;
+};
+
+} // namespace qmesh
