@@ -278,6 +278,45 @@ void Triangulation::collapse(std::int32_t v, std::int32_t target) {
   leaving_[std::size_t(v)] = kNone;
 }
 
+void Triangulation::remove(std::int32_t v, const std::vector<std::array<std::int32_t, 3>>& fill) {
+  star(v, star_);
+  beyond_.clear();
+  std::vector<std::int32_t> ring;
+  for (const std::int32_t e : star_) {
+    ring.push_back(destination(e));
+    beyond_.push_back(twin(next(e)));
+  }
+  for (const std::int32_t e : star_)
+    origin_[std::size_t(e / 3 * 3)] = kNone;
+  for (std::size_t f = 0; f < fill.size(); ++f) {
+    setTriangle(star_[f] / 3, ring[std::size_t(fill[f][0])], ring[std::size_t(fill[f][1])],
+                ring[std::size_t(fill[f][2])]);
+  }
+  linkFill(fill);
+  leaving_[std::size_t(v)] = kNone;
+}
+
+/// Joins the triangles in the first slots of the star to each other and to what is around it.
+void Triangulation::linkFill(const std::vector<std::array<std::int32_t, 3>>& fill) {
+  const auto corners = std::int32_t(star_.size());
+  for (std::size_t f = 0; f < fill.size(); ++f) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::int32_t e = star_[f] / 3 * 3 + std::int32_t(k);
+      const std::int32_t from = fill[f][k], to = fill[f][(k + 1) % 3];
+      if (to == (from + 1) % corners) {
+        link(e, beyond_[std::size_t(from)]);
+        continue;
+      }
+      for (std::size_t g = 0; g < f; ++g) {
+        for (std::size_t l = 0; l < 3; ++l) {
+          if (fill[g][l] == to && fill[g][(l + 1) % 3] == from)
+            link(e, star_[g] / 3 * 3 + std::int32_t(l));
+        }
+      }
+    }
+  }
+}
+
 /// Puts the origin of a half-edge onto another vertex.
 void Triangulation::moveCorner(std::int32_t halfEdge, std::int32_t target) {
   origin_[std::size_t(halfEdge)] = target;

@@ -49,6 +49,11 @@ class Triangulation {
   /// REQUIRES: every triangle that keeps two other corners of its star stays counter-clockwise.
   void collapse(std::int32_t vertex, std::int32_t target);
 
+  /// Takes an inner vertex away and fills its star with other triangles, counter-clockwise and
+  /// given as indices of star()'s half-edges: each stands for the vertex at its end.
+  /// REQUIRES: they cover the star.
+  void remove(std::int32_t vertex, const std::vector<std::array<std::int32_t, 3>>& fill);
+
   /// The half-edges that leave a vertex, counter-clockwise. At a vertex of the square's edges they
   /// begin with the one on the edge; the neighbour behind the last one is that one's previous
   /// origin.
@@ -88,6 +93,7 @@ class Triangulation {
   void linkTwins();
   void restoreDelaunay(std::int32_t p);
   void flip(std::int32_t t);
+  void linkFill(const std::vector<std::array<std::int32_t, 3>>& fill);
   void moveCorner(std::int32_t halfEdge, std::int32_t target);
 
   std::vector<NodeVertex> vertices_;
@@ -98,6 +104,7 @@ class Triangulation {
   std::vector<std::int32_t> changed_;
   std::vector<std::int32_t> flipStack_; ///< triangles whose edge 0 faces the new vertex
   std::vector<std::int32_t> star_;
+  std::vector<std::int32_t> beyond_; ///< half-edges around a star
 };
 
 } // namespace qmesh

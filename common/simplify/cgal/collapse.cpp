@@ -10,6 +10,7 @@
 #include "simplify/exact_refinement.h"
 #include "simplify/finish.h"
 #include "simplify/methods.h"
+#include "simplify/vertex_removal.h"
 
 namespace qmesh {
 
@@ -18,6 +19,9 @@ namespace {
 /// Share of the max error the start mesh may lose where the max error decides: three to ten times
 /// as fast, within two percent of the triangles.
 constexpr double kThinning = 0.3;
+
+/// Weight of the shape where the sphere asks for a grid of its own: long triangles sag more.
+constexpr double kLowZoomShape = 1e-3;
 
 /// Edges of the mesh of all nodes.
 double fullEdges(int cells) {
@@ -39,7 +43,8 @@ class Collapse final : public Simplifier {
  private:
   Status makeRule(const HeightTile& tile, const TileFrame& frame, const LevelParams& level,
                   CollapseRule& rule) const;
-  void holdMaxError(const HeightTile& tile, const TileFrame& frame, double maxError, Tin& out);
+  void finishBounded(const HeightTile& tile, const TileFrame& frame, const LevelParams& level,
+                     Tin& out);
 
   MethodOptions options_;
   CollapseMesh mesh_;
@@ -47,6 +52,7 @@ class Collapse final : public Simplifier {
   MeshThinning thinning_;
   StarJudge judge_;
   NodeMesh nodes_;
+  VertexRemoval removal_;
   ExactRefinement exact_;
 };
 
@@ -63,7 +69,7 @@ Status Collapse::simplify(const HeightTile& tile, const TileFrame& frame, const 
                bounded ? std::optional<double>(level.maxError) : std::nullopt);
   collapseEdges(rule, rounding_, judge_, mesh_, out);
   if (bounded)
-    holdMaxError(tile, frame, level.maxError, out);
+    finishBounded(tile, frame, level, out);
   finishTin(tile, frame, level, bounded ? StopReason::maxError : StopReason::parameter, out);
   return {};
 }
@@ -78,7 +84,7 @@ Status Collapse::makeRule(const HeightTile& tile, const TileFrame& frame, const 
   const auto shape = specValue(options_.shapeWeight, level.zoom);
   for (const auto* value : {&count, &share, &shape})
     QMESH_RETURN_IF_ERROR(value->status());
-  rule.shapeWeight = shape->value_or(0);
+  rule.shapeWeight = shape->value_or(level.baseGrid > 1 ? kLowZoomShape : 0);
   if (*count)
     rule.edges = std::size_t(std::min(**count, fullEdges(frame.cells())));
   else if (*share)
@@ -96,14 +102,16 @@ Status Collapse::makeRule(const HeightTile& tile, const TileFrame& frame, const 
   return {};
 }
 
-/// What the arithmetic of the judge may have missed, and the nodes at cliffs that take several
-/// vertices.
-void Collapse::holdMaxError(const HeightTile& tile, const TileFrame& frame, double maxError,
-                            Tin& out) {
-  if (measureError(tile, frame, out).max <= maxError)
-    return;
+/// Removes what no collapse can take, and cures what the arithmetic of the judge may have missed
+/// and the nodes at cliffs that take several vertices.
+void Collapse::finishBounded(const HeightTile& tile, const TileFrame& frame,
+                             const LevelParams& level, Tin& out) {
   nodes_.reset(tile, frame, out);
-  exact_.reset(tile, frame, maxError);
+  const int kept = tile.cells() / level.baseGrid;
+  while (removal_.run(nodes_.triangulation(), judge_.heights(), kept, judge_.tolerance()) > 0) {
+  }
+  nodes_.triangulation().forgetChanges();
+  exact_.reset(tile, frame, level.maxError);
   exact_.run(nodes_, out);
 }
 

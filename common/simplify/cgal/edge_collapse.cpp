@@ -153,8 +153,20 @@ class GarlandHeckbert {
 
   GarlandHeckbert(const CollapseRule&, Mesh& mesh) : policies_(mesh) {}
 
+  /// The optimum; on level ground there is none or it is anywhere: then the best of both ends and
+  /// their middle.
   template <class Profile> OptionalPoint operator()(const Profile& profile) const {
-    return policies_(profile);
+    const Point middle = CGAL::midpoint(profile.p0(), profile.p1());
+    const OptionalPoint best = policies_(profile);
+    if (best &&
+        CGAL::squared_distance(*best, middle) <= CGAL::squared_distance(profile.p0(), profile.p1()))
+      return best;
+    Point chosen = middle;
+    for (const Point& end : {profile.p0(), profile.p1()}) {
+      if (cost(profile, end) < cost(profile, chosen))
+        chosen = end;
+    }
+    return chosen;
   }
   template <class Profile>
   OptionalCost cost(const Profile& profile, const OptionalPoint& placed) const {

@@ -23,6 +23,10 @@ class StarJudge {
   bool accepts(std::uint32_t first, std::uint32_t second, const CollapseVertex& placed,
                const std::vector<TinTriangle>& star) const;
 
+  /// What it looks at. REQUIRES: a max error was given.
+  const NodeHeights& heights() const { return heights_; }
+  float tolerance() const { return *tolerance_; }
+
  private:
   const CollapseMesh* mesh_ = nullptr;
   std::optional<float> tolerance_;
