@@ -54,8 +54,9 @@ def library_folder(prefix):
     return library.parent
 
 
-def test_the_command_runs_from_there(prefix, tmp_path):
+def test_the_commands_run_from_there(prefix, tmp_path):
     run(prefix / "bin" / "gdal2qmesh", "--tilesize", "64", "-z", "0-9", DEM, tmp_path / "set")
+    assert "0 errors" in run(prefix / "bin" / "qmeshinfo", "--validate", tmp_path / "set")
     layer = json.loads((tmp_path / "set" / "layer.json").read_text())
     assert layer["maxzoom"] == 9
     assert (tmp_path / "set" / "0" / "0" / "0.terrain").exists()
@@ -162,9 +163,10 @@ def test_completion_of_files_and_folders(prefix, tmp_path):
     assert complete(prefix, "gdal2qmesh", "--cesium", "", cwd=tmp_path) == ["folder"]
 
 
-def test_completion_knows_every_option(prefix):
-    rows = json.loads(run(prefix / "bin" / "gdal2qmesh", "--options-json"))["options"]
-    offered = complete(prefix, "gdal2qmesh", "-")
+@pytest.mark.parametrize("command", ["gdal2qmesh", "qmeshinfo"])
+def test_completion_knows_every_option(prefix, command):
+    rows = json.loads(run(prefix / "bin" / command, "--options-json"))["options"]
+    offered = complete(prefix, command, "-")
     for row in rows:
         named = row.get("position") is None and not row.get("ignored")
         assert (f"--{row['name']}" in offered) == named, row["name"]

@@ -16,7 +16,7 @@ from conftest import BUILD, PLUGINS, qgis_process
 
 HERE = pathlib.Path(__file__).resolve().parent
 ZIP = BUILD / "qmesh-qgis.zip"
-ALGORITHMS = ["generate", "triangles", "preview"]
+ALGORITHMS = ["generate", "info", "triangles", "measure", "preview"]
 
 
 def test_metadata_is_complete():

@@ -11,9 +11,9 @@ from qgis.core import QgsBlockingProcess, QgsProcessingException
 from qgis.PyQt.QtCore import QProcess
 
 from . import places
-from .progress import ErrorReader, OutputReader
+from .progress import LineReader
 
-DONE, FINDINGS, INTERRUPTED = 0, 1, 3
+DONE, FINDINGS, INTERRUPTED = 0, 1, 3  # exit codes
 _json_of = {}
 
 
@@ -46,22 +46,41 @@ def described(name):
     return parsed
 
 
-def run(name, words, feedback, good=(DONE,)):
-    """Runs a command to its end and returns its exit code, one of `good`, or INTERRUPTED where the user cancelled.
-    Raises QgsProcessingException with the command's own words on any other."""
+def run(name, words, feedback):
+    """Runs a command to its end; False where the user cancelled. Raises QgsProcessingException with the command's own
+    words on a failure."""
+    # Bound methods in variables: QGIS does not keep what it is given here, and a lambda would be gone.
+    output = LineReader(feedback.setProgress, feedback.pushWarning, feedback.pushConsoleInfo)
+    read_output = output.feed
+    code = _run(name, words, feedback, read_output, (DONE,))
+    output.finish()
+    return code != INTERRUPTED
+
+
+def run_json(name, words, feedback, good=(DONE,)):
+    """As run(), for a command that prints JSON: what it printed, parsed, or None where the user cancelled. Exit codes in
+    `good` are no failure."""
+    pieces = []
+
+    def collect(data):
+        pieces.append(bytes(data))
+
+    if _run(name, words, feedback, collect, good) == INTERRUPTED:
+        return None
+    return json.loads(b"".join(pieces).decode("utf-8"))
+
+
+def _run(name, words, feedback, read_output, good):
     path = places.find_command(name)
     if path is None:
         raise QgsProcessingException(places.missing_command(name))
     feedback.pushCommandInfo(shlex.join([name, *words]))
-    # Bound methods in variables: QGIS does not keep what it is given here, and a lambda would be gone.
-    output = OutputReader(feedback.setProgress, feedback.pushConsoleInfo)
-    errors = ErrorReader(feedback.pushWarning, feedback.pushConsoleInfo)
-    read_output, read_errors = output.feed, errors.feed
+    errors = LineReader(feedback.setProgress, feedback.pushWarning, feedback.pushConsoleInfo)
+    read_errors = errors.feed
     process = QgsBlockingProcess(path, words)
     process.setStdOutHandler(read_output)
     process.setStdErrHandler(read_errors)
     code = process.run(feedback)
-    output.finish()
     errors.finish()
     if process.processError() == QProcess.FailedToStart:
         raise QgsProcessingException(f"{path} cannot be started: is it a program for this system?")
@@ -69,6 +88,6 @@ def run(name, words, feedback, good=(DONE,)):
         return INTERRUPTED
     if process.exitStatus() == QProcess.CrashExit:
         raise QgsProcessingException(f"{name} was ended by the system. Is there enough memory?")
-    if code not in good:
+    if errors.errors or code not in good:
         raise QgsProcessingException("\n".join(errors.errors) or f"{name} ended with exit code {code}.")
     return code

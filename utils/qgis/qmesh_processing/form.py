@@ -2,35 +2,12 @@
 # Copyright (c) 2026 the qmesh authors
 """Option rows as parameters of Processing, and a filled form as the words of a command line."""
 
-from qgis.core import (
-    QgsCoordinateReferenceSystem,
-    QgsProcessing,
-    QgsProcessingException,
-    QgsProcessingParameterBand,
-    QgsProcessingParameterBoolean,
-    QgsProcessingParameterCrs,
-    QgsProcessingParameterDefinition,
-    QgsProcessingParameterEnum,
-    QgsProcessingParameterExtent,
-    QgsProcessingParameterFile,
-    QgsProcessingParameterFileDestination,
-    QgsProcessingParameterFolderDestination,
-    QgsProcessingParameterMatrix,
-    QgsProcessingParameterMultipleLayers,
-    QgsProcessingParameterNumber,
-    QgsProcessingParameterRasterLayer,
-    QgsProcessingParameterString,
-    QgsProcessingParameterVectorLayer,
-    QgsProcessingUtils,
-    QgsProviderRegistry,
-    QgsRasterLayer,
-)
+from qgis.core import QgsProcessingException, QgsProcessingParameterDefinition, QgsProcessingParameterMatrix
 
 from . import rows
+from .fields import Dem, Flag, fields
 
 TABLE = "PER_ZOOM"
-# Files that the command writes, with the filter of the file dialog.
-_WRITTEN = {"report": "JSON files (*.json)"}
 
 
 class Form:
@@ -49,273 +26,17 @@ class Form:
         return self.algorithm.parameterAsString(self.parameters, name, self.context).strip()
 
 
-# ---- One class a kind of field: the parameter it shows, and the words it says ---------------------------------------
+def _spec_rows(shown):
+    return [row for row in shown if row["type"] == "spec"]
 
 
-class Field:
-    """`words(form)` is called only where the user gave a value."""
-
-    def __init__(self, row):
-        self.row = row
-        self.name = rows.parameter_name(row)
-        self.label = rows.label(row)
-        self.optional = "whenUnset" in row
-
-    def option(self, *values):
-        return ["--" + self.row["name"], *values] if values and values[0] != "" else []
-
-
-class Flag(Field):
-    def parameter(self):
-        return QgsProcessingParameterBoolean(self.name, self.label, defaultValue=rows.is_on(self.row))
-
-    def words(self, form):
-        on = form.algorithm.parameterAsBool(form.parameters, self.name, form.context)
-        if on == rows.is_on(self.row):
-            return []
-        return ["--" + self.row["name"] if on else "--no-" + self.row["name"]]
-
-
-class Text(Field):
-    """Any text the command understands: SPEC, memory, threads, ..."""
-
-    def parameter(self):
-        return QgsProcessingParameterString(
-            self.name, self.label, defaultValue=self.row.get("default"), optional=self.optional
-        )
-
-    def words(self, form):
-        text = form.text(self.name)
-        return [] if text == self.row.get("default") else self.option(text)
-
-
-class Lines(Field):
-    """A repeatable option: one use a line."""
-
-    def parameter(self):
-        return QgsProcessingParameterString(self.name, self.label, multiLine=True, optional=True)
-
-    def words(self, form):
-        lines = [line.strip() for line in form.text(self.name).splitlines()]
-        return [word for line in lines for word in self.option(line)]
-
-
-class Number(Field):
-    def _limits(self):
-        limits = {"minValue": self.row.get("minimum"), "maxValue": self.row.get("maximum")}
-        return {name: value for name, value in limits.items() if value is not None}
-
-    def parameter(self):
-        whole = self.row["type"] == "integer"
-        kind = QgsProcessingParameterNumber.Integer if whole else QgsProcessingParameterNumber.Double
-        default = self.row.get("default")
-        return QgsProcessingParameterNumber(
-            self.name,
-            self.label,
-            kind,
-            None if default is None else (int if whole else float)(default),
-            self.optional,
-            **self._limits(),
-        )
-
-    def words(self, form):
-        if self.row["type"] == "integer":
-            number = form.algorithm.parameterAsInt(form.parameters, self.name, form.context)
-        else:
-            number = form.algorithm.parameterAsDouble(form.parameters, self.name, form.context)
-        default = self.row.get("default")
-        return [] if default is not None and number == float(default) else self.option(repr(number))
-
-
-class Band(Number):
-    def parameter(self):
-        # Optional, because QGIS 3.22 asks for a band even where there is a default.
-        return QgsProcessingParameterBand(self.name, self.label, int(self.row["default"]), "INPUT", optional=True)
-
-
-class Choice(Field):
-    def parameter(self):
-        return QgsProcessingParameterEnum(
-            self.name,
-            self.label,
-            [choice["name"] for choice in self.row["choices"]],
-            defaultValue=self.row.get("default"),
-            optional=self.optional,
-            usesStaticStrings=True,
-        )
-
-    def words(self, form):
-        value = form.algorithm.parameterAsEnumString(form.parameters, self.name, form.context)
-        return [] if value == self.row.get("default") else self.option(value)
-
-
-class OnOff(Field):
-    """A choice of on and off is a check box here."""
-
-    def parameter(self):
-        return QgsProcessingParameterBoolean(self.name, self.label, defaultValue=rows.is_on(self.row))
-
-    def words(self, form):
-        on = form.algorithm.parameterAsBool(form.parameters, self.name, form.context)
-        return [] if on == rows.is_on(self.row) else self.option("on" if on else "off")
-
-
-class Crs(Field):
-    def parameter(self):
-        return QgsProcessingParameterCrs(self.name, self.label, optional=self.optional)
-
-    def words(self, form):
-        return self.option(crs_text(form.algorithm.parameterAsCrs(form.parameters, self.name, form.context)))
-
-
-class Extent(Field):
-    """With its CRS as --te-srs."""
-
-    def parameter(self):
-        return QgsProcessingParameterExtent(self.name, self.label, optional=self.optional)
-
-    def words(self, form):
-        box = form.algorithm.parameterAsExtent(form.parameters, self.name, form.context)
-        if box.isNull():
-            return []
-        numbers = (box.xMinimum(), box.yMinimum(), box.xMaximum(), box.yMaximum())
-        words = self.option(*map(repr, numbers))
-        crs = crs_text(form.algorithm.parameterAsExtentCrs(form.parameters, self.name, form.context))
-        return words + (["--te-srs", crs] if crs else [])
-
-
-class Dem(Field):
-    """A raster layer, or anything GDAL opens; its open options come along."""
-
-    def parameter(self):
-        return QgsProcessingParameterRasterLayer(self.name, self.label)
-
-    def source(self, form):
-        """The place of the raster as GDAL takes it, and its open options."""
-        layer = form.algorithm.parameterAsRasterLayer(form.parameters, self.name, form.context)
-        if not isinstance(layer, QgsRasterLayer):
-            # Not a layer: the command says best what is wrong with it.
-            return form.text(self.name), []
-        if layer.providerType() != "gdal":
-            raise QgsProcessingException(
-                f"The layer '{layer.name()}' is not read by GDAL ({layer.providerType()}): export it to a file first."
-            )
-        return gdal_source(layer.source())
-
-    def words(self, form):
-        return [self.source(form)[0]]
-
-    def options(self, form):
-        return [word for option in self.source(form)[1] for word in ("--oo", option)]
-
-
-class Dems(Dem):
-    """A row that takes many rasters."""
-
-    def parameter(self):
-        return QgsProcessingParameterMultipleLayers(self.name, self.label, QgsProcessing.TypeRaster)
-
-    def words(self, form):
-        layers = form.algorithm.parameterAsLayerList(form.parameters, self.name, form.context)
-        if not layers:
-            raise QgsProcessingException("No DEM that QGIS can open was chosen.")
-        return [gdal_source(layer.source())[0] for layer in layers]
-
-    def options(self, form):
-        return []
-
-
-class Cutline(Field):
-    """Polygons of any layer; written to a file, because the command reads the first layer of one."""
-
-    def parameter(self):
-        return QgsProcessingParameterVectorLayer(
-            self.name, self.label, [QgsProcessing.TypeVectorPolygon], optional=self.optional
-        )
-
-    def words(self, form):
-        layer = form.algorithm.parameterAsVectorLayer(form.parameters, self.name, form.context)
-        if layer is None:
-            return self.option(form.text(self.name))
-        path = QgsProcessingUtils.convertToCompatibleFormat(
-            layer, False, "cutline", [], "gpkg", form.context, form.feedback
-        )
-        return self.option(path)
-
-
-class InputPath(Field):
-    def parameter(self):
-        folder = self.row["type"] == "folder"
-        behaviour = QgsProcessingParameterFile.Folder if folder else QgsProcessingParameterFile.File
-        return QgsProcessingParameterFile(self.name, self.label, behaviour, optional=self.optional)
-
-    def words(self, form):
-        return self.option(form.text(self.name))
-
-
-class WrittenFile(Field):
-    def parameter(self):
-        return QgsProcessingParameterFileDestination(
-            self.name, self.label, _WRITTEN[self.row["name"]], optional=True, createByDefault=False
-        )
-
-    def words(self, form):
-        return self.option(form.algorithm.parameterAsFileOutput(form.parameters, self.name, form.context))
-
-
-class OutputFolder(Field):
-    def parameter(self):
-        return QgsProcessingParameterFolderDestination(self.name, self.label)
-
-    def words(self, form):
-        return [form.text(self.name)]
-
-
-_BY_NAME = {"band": Band, "cutline": Cutline}
-_BY_TYPE = {
-    "flag": Flag,
-    "integer": Number,
-    "number": Number,
-    "choice": Choice,
-    "srs": Crs,
-    "extent": Extent,
-    "file": InputPath,
-    "folder": InputPath,
-}
-
-
-def field(row):
-    """The kind of field for a row; text for a type that is not known here."""
-    if row.get("position"):
-        if row["type"] == "folder":
-            return OutputFolder(row)
-        return Dems(row) if row.get("repeatable") else Dem(row)
-    if row["name"] in _BY_NAME:
-        return _BY_NAME[row["name"]](row)
-    if row["name"] in _WRITTEN:
-        return WrittenFile(row)
-    if row.get("repeatable"):
-        return Lines(row)
-    if row.get("choices"):
-        names = {choice["name"] for choice in row["choices"]}
-        return OnOff(row) if names == {"on", "off"} else Choice(row)
-    return _BY_TYPE.get(row["type"], Text)(row)
-
-
-# ---- The whole form -----------------------------------------------------------------------------------------------
-
-
-def _spec_rows(described):
-    return [row for row in rows.form_rows(described) if row["type"] == "spec"]
-
-
-def _table(described):
+def _table(specs):
     """The parameter of values per zoom: lines for the specs that everybody uses stand in it already."""
-    cells = [cell for row in _spec_rows(described) if not rows.is_advanced(row) for cell in (row["name"], "", "")]
+    cells = [cell for row in specs if not rows.is_advanced(row) for cell in (row["name"], "", "")]
     table = QgsProcessingParameterMatrix(
         TABLE, "Values per zoom (table)", len(cells) // 3, False, rows.TABLE_HEADERS, cells, optional=True
     )
-    names = ", ".join(row["name"] for row in _spec_rows(described))
+    names = ", ".join(row["name"] for row in specs)
     table.setHelp(
         f"Another way to write options that may differ per zoom ({names}): a line each for an option, its zooms (3, "
         "0-9 or 10-) and the value there (a number or a formula as 2000/2^z). Lines without zooms and value do not count."
@@ -323,60 +44,43 @@ def _table(described):
     return table
 
 
-def parameters(described):
-    """All parameters of a command's form, in the order of its rows; the table follows the last common SPEC."""
-    made, specs = [], _spec_rows(described)
+def parameters(shown, ticked=()):
+    """The parameters of rows, in their order; the table of values per zoom follows the last common SPEC. Flags named in
+    `ticked` are on to begin with."""
+    made, specs = [], _spec_rows(shown)
     common = [row["name"] for row in specs if not rows.is_advanced(row)]
-    for row in rows.form_rows(described):
-        parameter = field(row).parameter()
-        parameter.setHelp(rows.help_text(row))
-        if rows.is_advanced(row):
+    for item in fields(shown):
+        parameter = item.parameter()
+        parameter.setHelp(rows.help_text(item.row))
+        if item.row["name"] in ticked:
+            parameter.setDefaultValue(True)
+        if rows.is_advanced(item.row):
             parameter.setFlags(parameter.flags() | QgsProcessingParameterDefinition.FlagAdvanced)
         made.append(parameter)
-        if common and row["name"] == common[-1]:
-            made.append(_table(described))
+        if common and item.row["name"] == common[-1]:
+            made.append(_table(specs))
     return made
 
 
-def command_line(described, form):
-    """The words after the command's name: options that differ from their defaults, then INPUT and OUTPUT."""
+def command_line(shown, form):
+    """The words after the command's name: options that differ from their defaults, then the arguments."""
     options, arguments = [], []
-    for row in rows.form_rows(described):
-        item = field(row)
-        if row.get("position"):
+    for item in fields(shown):
+        if item.row.get("position"):
             arguments += item.words(form)
             options += item.options(form) if isinstance(item, Dem) else []
-        elif form.given(item.name):
+        elif form.given(item.name) or isinstance(item, Flag):
             options += item.words(form)
-    return options + _table_words(described, form, options) + arguments
+    return options + _table_words(_spec_rows(shown), form, options) + arguments
 
 
-def _table_words(described, form, options):
+def _table_words(specs, form, options):
     cells = form.algorithm.parameterAsMatrix(form.parameters, TABLE, form.context) if form.given(TABLE) else []
     try:
-        specs = rows.spec_of_table(cells, _spec_rows(described))
+        written = rows.spec_of_table(cells, specs)
     except rows.BadTable as fault:
         raise QgsProcessingException(str(fault)) from fault
-    for name in specs:
+    for name in written:
         if "--" + name in options:
             raise QgsProcessingException(f"{name} is given twice, as a value and in the table of values per zoom.")
-    return [word for name, spec in specs.items() for word in ("--" + name, spec)]
-
-
-
-def crs_text(crs):
-    """A CRS as the commands take it; empty where it is not valid."""
-    if not crs.isValid():
-        return ""
-    known = crs.authid()
-    if known and not known.startswith("USER:"):
-        return known
-    return crs.toWkt(QgsCoordinateReferenceSystem.WKT_PREFERRED)
-
-
-def gdal_source(source):
-    """The path and the open options in the source of a raster layer read by GDAL."""
-    parts = QgsProviderRegistry.instance().decodeUri("gdal", source)
-    if parts.get("openOptions"):
-        return parts["path"], list(parts["openOptions"])
-    return source, []
+    return [word for name, spec in written.items() for word in ("--" + name, spec)]

@@ -10,30 +10,44 @@ for _tick, _piece in enumerate(_PIECES):
     _ENDS[len("".join(_PIECES[: _tick + 1]))] = 2.5 * _tick
 
 
-class OutputReader:
-    """Standard output in pieces of any size: `progress(percent)` as the line of GDAL's kind grows, `line(text)` for
-    every other whole line."""
+class LineReader:
+    """One stream of a command, in pieces of any size: `progress(percent)` as the line of GDAL's kind grows,
+    `warning(text)` for lines "NAME: warning: text", `other(text)` for other lines; errors are kept in `errors`. The
+    usage line before a usage error is dropped."""
 
-    def __init__(self, progress, line):
+    def __init__(self, progress, warning, other):
         self._progress = progress
-        self._line = line
+        self._warning = warning
+        self._other = other
         self._open = ""
         self._percent = -1.0
+        self.errors = []
 
     def feed(self, data):
         self._open += bytes(data).decode("utf-8", "replace")
         while "\n" in self._open:
             text, self._open = self._open.split("\n", 1)
-            if not self._is_progress(text):
-                self._line(text.rstrip("\r"))
+            self._take(text.rstrip("\r"))
             self._percent = -1.0
         self._is_progress(self._open)
 
     def finish(self):
         """A last line without a line end."""
-        if self._open and not self._is_progress(self._open):
-            self._line(self._open)
+        if self._open:
+            self._take(self._open)
         self._open = ""
+
+    def _take(self, text):
+        _, is_error, error = text.partition(": error: ")
+        _, is_warning, warning = text.partition(": warning: ")
+        if self._is_progress(text):
+            return
+        if is_error:
+            self.errors.append(error)
+        elif is_warning:
+            self._warning(warning)
+        elif text and not text.startswith("usage: "):
+            self._other(text)
 
     def _is_progress(self, text):
         """Tells the progress that a line, whole or not, stands for; False where it is another line."""
@@ -45,35 +59,3 @@ class OutputReader:
             self._percent = percent
             self._progress(percent)
         return True
-
-
-class ErrorReader:
-    """Standard error: `warning(text)` for lines "NAME: warning: text", `other(text)` for lines without a mark; errors
-    are kept in `errors`. The usage line before a usage error is dropped."""
-
-    def __init__(self, warning, other):
-        self._warning = warning
-        self._other = other
-        self._open = ""
-        self.errors = []
-
-    def feed(self, data):
-        self._open += bytes(data).decode("utf-8", "replace")
-        *lines, self._open = self._open.split("\n")
-        for text in lines:
-            self._take(text.rstrip("\r"))
-
-    def finish(self):
-        if self._open:
-            self._take(self._open)
-        self._open = ""
-
-    def _take(self, text):
-        _, is_error, error = text.partition(": error: ")
-        _, is_warning, warning = text.partition(": warning: ")
-        if is_error:
-            self.errors.append(error)
-        elif is_warning:
-            self._warning(warning)
-        elif text and not text.startswith("usage: "):
-            self._other(text)

@@ -30,17 +30,28 @@ _LABELS = {
     "webviewer": "Preview page",
     "cesium": "Folder of a CesiumJS build",
     "num-threads": "Threads",
+    "set": "Terrain folder",
+    "dem": "DEM",
+    "dem-step": "Measure at every N-th column and row; 0: by itself",
+    "zoom": "Zooms",
+    "stats": "Read every tile for its numbers",
+    "ignore": "Findings to pass over, one a line",
+    "max-findings": "Places told of each finding; 0: all",
 }
 # A form has less room than a help text: few people need these.
 _ADVANCED_IN_A_FORM = {
     "s_srs", "cutline", "clip-low", "clip-high", "scale-above", "scale-below", "tilesize", "resampling",
-    "overview-resampling", "exclude", "xyz", "decimate", "compress", "cesium", "report", "if", "oo",
+    "overview-resampling", "exclude", "xyz", "decimate", "compress", "cesium", "report", "if", "oo", "dem-step", "max-findings", "ignore",
 }  # fmt: skip
-_LABELLED_UNITS = {"tilesize"}
+_LABELLED_UNITS = {"tilesize", "dem-step"}
 
 
-def form_rows(described):
-    """The rows of a parsed `--options-json` that a form shows."""
+def form_rows(described, names=None):
+    """The rows of a parsed `--options-json` that a form shows: all that mean something there, or those named, in the
+    order of the names."""
+    if names is not None:
+        by_name = {row["name"]: row for row in described["options"]}
+        return [by_name[name] for name in names if name in by_name]
     return [
         row
         for row in described["options"]
@@ -53,7 +64,9 @@ def form_rows(described):
 
 
 def parameter_name(row):
-    """MAX_ERROR for max-error, as the creation option of the GDAL driver."""
+    """MAX_ERROR for max-error, as the creation option of the GDAL driver. What an algorithm begins with is INPUT."""
+    if row.get("position") == 1:
+        return "INPUT"
     return row["name"].upper().replace("-", "_")
 
 
@@ -105,12 +118,12 @@ def help_text(row):
     return text
 
 
-def option_help(described):
+def option_help(described, shown):
     """The options everybody uses, by group, for the panel beside the form."""
-    shown = [row for row in form_rows(described) if not is_advanced(row) and not row.get("position")]
+    common = [row for row in shown if not is_advanced(row) and not row.get("position")]
     text = ""
     for group in described["groups"]:
-        members = [row for row in shown if row["group"] == group["name"]]
+        members = [row for row in common if row["group"] == group["name"]]
         if members:
             text += f"<h3>{html.escape(group['name'], False)}</h3>"
             text += "".join(f"<p><b>{html.escape(label(r), False)}</b>: {html.escape(help_text(r), False)}</p>" for r in members)

@@ -3,7 +3,8 @@
 """The algorithms of the provider, in the order of their making and use."""
 
 from .generate import Generate
+from .info import Info, Measure
 from .preview import Preview
 from .triangles import Triangles
 
-ALGORITHMS = [Generate, Triangles, Preview]
+ALGORITHMS = [Generate, Info, Triangles, Measure, Preview]

@@ -42,12 +42,12 @@ class Generate(Algorithm):
     def shortHelpString(self):
         described = command.options_json(self.COMMAND)
         text = super().shortHelpString()
-        return text + rows.option_help(described) if described else text
+        return text + rows.option_help(described, rows.form_rows(described)) if described else text
 
     def initAlgorithm(self, configuration=None):
         described = command.options_json(self.COMMAND)
         if described:
-            for parameter in form.parameters(described):
+            for parameter in form.parameters(rows.form_rows(described)):
                 self.addParameter(parameter)
         else:
             # Without the command there is no form, but the algorithm says so when it is opened.
@@ -66,7 +66,7 @@ class Generate(Algorithm):
 
     def processAlgorithm(self, parameters, context, feedback):
         described = command.described(self.COMMAND)
-        words = form.command_line(described, form.Form(self, parameters, context, feedback))
+        words = form.command_line(rows.form_rows(described), form.Form(self, parameters, context, feedback))
         folder = words[-1]
         results = {"OUTPUT": folder}
         if "--report" in words:
@@ -74,7 +74,7 @@ class Generate(Algorithm):
         else:
             report = QgsProcessingUtils.generateTempFilename("report.json")
             words = ["--report", report, *words]
-        if command.run(self.COMMAND, words, feedback) == command.INTERRUPTED:
+        if not command.run(self.COMMAND, words, feedback):
             return {}
         results.update(_numbers(report))
         results.update(self._layers(folder, parameters, context, feedback))
