@@ -72,6 +72,23 @@ def test_every_option_of_the_command_has_a_parameter_or_a_reason(qgis):
             assert bool(parameter.flags() & parameter.FlagAdvanced) == rows.is_advanced(row)
 
 
+@pytest.mark.parametrize("size", [1, 2, 3, 7, 1000])
+def test_output_in_pieces_of_any_size(qgis, size):
+    from qmesh_processing.progress import LINE, LineReader
+
+    percents, warnings, others = [], [], []
+    reader = LineReader(percents.append, warnings.append, others.append)
+    text = f"a -> b\n{LINE} - done.\nusage: x\nx: warning: café\n100 tiles\n0 errors\nx: error: no\nlast".encode()
+    for k in range(0, len(text), size):
+        reader.feed(text[k : k + size])
+    reader.finish()
+    assert percents == sorted(percents) and percents[-1] == 100 and len(set(percents)) == len(percents)
+    if size == 1:
+        assert percents == [2.5 * k for k in range(1, 41)]
+    assert warnings == ["café"] and reader.errors == ["no"]
+    assert others == ["a -> b", "100 tiles", "0 errors", "last"]
+
+
 @pytest.mark.parametrize("name", ALGORITHMS)
 def test_dialog(tmp_path, name):
     """Under a virtual screen, as a picture; keep it with QMESH_SCREENSHOTS=FOLDER to look at it."""

@@ -2,6 +2,8 @@
 # Copyright (c) 2026 the qmesh authors
 """Reads what the commands print. Knows nothing of QGIS."""
 
+import codecs
+
 # "0...10...20 ... 100": three dots between two tens, a tick each 2.5 %.
 _PIECES = [str(tick // 4 * 10) if tick % 4 == 0 else "." for tick in range(41)]
 LINE = "".join(_PIECES)
@@ -20,11 +22,12 @@ class LineReader:
         self._warning = warning
         self._other = other
         self._open = ""
+        self._decoder = codecs.getincrementaldecoder("utf-8")("replace")
         self._percent = -1.0
         self.errors = []
 
     def feed(self, data):
-        self._open += bytes(data).decode("utf-8", "replace")
+        self._open += self._decoder.decode(bytes(data))
         while "\n" in self._open:
             text, self._open = self._open.split("\n", 1)
             self._take(text.rstrip("\r"))
@@ -50,11 +53,11 @@ class LineReader:
             self._other(text)
 
     def _is_progress(self, text):
-        """Tells the progress that a line, whole or not, stands for; False where it is another line."""
-        ticks = text.split(" ")[0]
-        if not ticks.startswith("0") or not LINE.startswith(ticks):
+        """Tells the progress that a line, whole or not, stands for; False where it is another line, "0 errors" say."""
+        ticks, _, rest = text.partition(" ")
+        if not ticks.startswith("0.") or not LINE.startswith(ticks) or not "- done.".startswith(rest):
             return False
-        percent = max((p for end, p in _ENDS.items() if end <= len(ticks)), default=0.0)
+        percent = max(p for end, p in _ENDS.items() if end <= len(ticks))
         if percent > self._percent:
             self._percent = percent
             self._progress(percent)

@@ -101,7 +101,8 @@ _SPEC_HELP = "One value, or one per zoom: 5000/2^z; 500,200,100; 0-9:2000/2^z,10
 
 
 def _in_words_of_the_form(text):
-    """--max-error becomes 'Max error', OUTPUT the terrain folder."""
+    """--max-error becomes 'Max error', OUTPUT the terrain folder; a form has no exit code."""
+    text = re.sub(r" Exit code [^.]*\.", "", text)
     text = re.sub(r"\b(an )?OUTPUT\b", "the terrain folder", text)
     text = re.sub(r"\bINPUT\b", "the DEM", text)
     return re.sub(r"--([a-z][a-z0-9_-]*[a-z0-9])", lambda m: _LABELS.get(m.group(1)) or f"'{_plain(m.group(1))}'", text)
@@ -113,7 +114,7 @@ def help_text(row):
     text += "".join(f" {c['name']}: {c['help']}." for c in row.get("choices", []) if "help" in c)
     if row["type"] == "spec":
         text += " " + _SPEC_HELP
-    if "whenUnset" in row and not row.get("position"):
+    if row.get("whenUnset", "none") != "none" and not row.get("position"):
         text += f" Default: {_in_words_of_the_form(row['whenUnset'])}."
     return text
 

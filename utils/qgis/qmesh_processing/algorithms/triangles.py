@@ -69,12 +69,13 @@ class Triangles(Algorithm):
             crs = self.parameterAsExtentCrs(parameters, "EXTENT", context)
             filters["spatFilter"] = (box.xMinimum(), box.yMinimum(), box.xMaximum(), box.yMaximum())
             filters["spatSRS"] = (crs if crs.isValid() else QgsCoordinateReferenceSystem("EPSG:4326")).toWkt()
-        _translate(source, options, output, {"layers": [layer], **filters}, feedback)
-        return {"OUTPUT": output}
+        written = _translate(source, options, output, {"layers": [layer], **filters}, feedback)
+        return {"OUTPUT": output} if written else {}
 
 
 def _translate(source, open_options, output, options, feedback):
-    """ogr2ogr in this process, with the messages of GDAL as the exception's words."""
+    """ogr2ogr in this process, with the messages of GDAL as the exception's words. False where the user cancelled; then
+    nothing is left of the output."""
 
     def progress(done, _message, _data):
         feedback.setProgress(100 * done)
@@ -86,9 +87,18 @@ def _translate(source, open_options, output, options, feedback):
         terrain = gdal.OpenEx(source, gdal.OF_VECTOR, [gdal_driver.NAME], open_options)
         if terrain is None:
             raise QgsProcessingException(gdal.GetLastErrorMsg() or f"{source} is no quantized-mesh terrain.")
-        driver = QgsVectorFileWriter.driverForExtension(os.path.splitext(output)[1])
-        written = gdal.VectorTranslate(output, terrain, format=driver or None, callback=progress, **options)
-        if written is None and not feedback.isCanceled():
-            raise QgsProcessingException(gdal.GetLastErrorMsg() or f"{output} cannot be written.")
+        driver = gdal.GetDriverByName(QgsVectorFileWriter.driverForExtension(os.path.splitext(output)[1]))
+        if driver is None:
+            raise QgsProcessingException(f"GDAL writes no vector format that {output} could be: change its extension.")
+        written = gdal.VectorTranslate(output, terrain, format=driver.ShortName, callback=progress, **options)
+        failed = written is None
+        message = gdal.GetLastErrorMsg()
+        del written  # closes the file
+        if feedback.isCanceled():
+            driver.Delete(output)
+            return False
+        if failed:
+            raise QgsProcessingException(message or f"{output} cannot be written.")
+        return True
     finally:
         gdal.PopErrorHandler()
