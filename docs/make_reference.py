@@ -70,7 +70,7 @@ def options_page(program):
         rows = [row for row in said["options"] if row["group"] == group["name"]]
         if not rows:
             continue
-        lines += [f"### {group['name']}", "", group["help"][0].upper() + group["help"][1:] + ".", ""]
+        lines += [f"### {group['name']}: options", "", group["help"][0].upper() + group["help"][1:] + ".", ""]
         lines += ["| option | meaning | default |", "|---|---|---|"]
         lines += [f"| {switches(row)} | {meaning(row)} | {default(row)} |" for row in rows]
         lines.append("")
@@ -78,17 +78,15 @@ def options_page(program):
 
 
 def findings_page():
-    """A table for each group of what `qmeshinfo --validate` can say."""
+    """What `qmeshinfo --validate` can say, group by group, as a list of definitions."""
     kinds = json.loads(said_by("qmeshinfo", "--json", "--list-findings"))["findings"]
     lines = []
     for group in dict.fromkeys(kind["group"] for kind in kinds):
-        lines += [f"### {group[0].upper() + group[1:] if group != 'layer.json' else group}", ""]
-        lines += ["| code | severity | finding | what it does | cure |", "|---|---|---|---|---|"]
+        lines += [f"### {group}: findings", ""]
         for kind in kinds:
             if kind["group"] == group:
-                cells = (cell(kind[key]) for key in ("code", "severity", "title", "explanation", "cure"))
-                lines.append("| " + " | ".join(cells) + " |")
-        lines.append("")
+                lines += [f"{kind['code']} ({kind['severity']}): {cell(kind['title'])}"]
+                lines += [f": {cell(kind['explanation'])} *{cell(kind['cure'])}*", ""]
     return "\n".join(lines)
 
 

@@ -15,6 +15,7 @@ import numpy as np
 from tiny_set import by_first_use, ecef, grid_triangles, high_water_mark, horizon_point, oct_encode, zigzag_deltas
 
 MAX = 32767
+RADII = np.array([6378137.0, 6378137.0, 6356752.3142451793])
 STEP = 0.01  # metres between two quantized heights of a good tile
 NORMALS, WATER, METADATA = 1, 2, 4
 SIDES = ("west", "south", "east", "north")
@@ -61,7 +62,7 @@ class Tile:
         self.sphere = (points.min(0) + points.max(0)) / 2
         self.radius = float(np.linalg.norm(points - self.sphere, axis=1).max()) + 0.001
         self.centre = self.sphere.copy()
-        direction = self.sphere / np.array([6378137.0, 6378137.0, 6356752.3142451793])
+        direction = self.sphere / RADII
         direction = direction / np.linalg.norm(direction)
         self.horizon = horizon_point(points, direction)
         if self.box[2] - self.box[0] > 90:  # nothing hides half a globe
@@ -99,7 +100,7 @@ def make_tile(box, cells, height_of=linear, normals=True):
     q = np.round(height_of(lon, lat) / STEP).astype(int)
     tile = Tile(box, u, v, q, indices, 0.0, high).fit()
     if normals:
-        up = ecef(np.where(lon == 180, -180, lon), lat, 0 * lon) / np.array([6378137.0**2, 6378137.0**2, 6356752.3142451793**2])
+        up = ecef(np.where(lon == 180, -180, lon), lat, 0 * lon) / RADII**2
         tile.extensions.append((NORMALS, oct_encode(up / np.linalg.norm(up, axis=1)[:, None]).tobytes()))
     return tile
 
