@@ -20,7 +20,7 @@ QMESH_DOCS_PACKAGES=(python3-sphinx python3-myst-parser furo)
 QMESH_DOCS_TEST_PACKAGES=(nginx-light apache2-bin man-db)
 
 # For the tests of the QGIS plugin: QGIS without a screen, and a screen that is none.
-QMESH_QGIS_PACKAGES=(qgis python3-qgis xvfb imagemagick)
+QMESH_QGIS_PACKAGES=(qgis python3-qgis xvfb xauth imagemagick)
 
 qmesh_installed() {
   [ "$(dpkg-query -W -f='${db:Status-Status}' "$1" 2>/dev/null)" = installed ]

@@ -208,6 +208,9 @@ def test_uninstall_leaves_nothing_of_ours(tmp_path):
     prefix = install(tmp_path / "prefix")
     (prefix / "share" / "theirs").mkdir()
     (prefix / "share" / "theirs" / "file").write_text("not ours")
+    plugin = prefix / "share" / "qgis" / "python" / "plugins" / "qmesh_processing"
+    run(sys.executable, "-m", "compileall", "-q", plugin)
+    assert list(plugin.rglob("*.pyc"))
     run("cmake", "--build", BUILD, "--target", "uninstall")
     left = [p.relative_to(prefix).as_posix() for p in prefix.rglob("*")]
     assert sorted(left) == ["share", "share/theirs", "share/theirs/file"]
