@@ -2,6 +2,8 @@
 // Copyright (c) 2026 the qmesh authors
 #include "gdalio/dataset_access.h"
 
+#include <optional>
+
 #include <cpl_conv.h>
 #include <cpl_vsi.h>
 
@@ -109,7 +111,8 @@ DatasetAccess DatasetAccess::ofHost(GDALDataset& host, int band) {
   const bool named = host.GetAccess() == GA_ReadOnly && !driverName(host).empty() &&
                      !access.path_.empty() && fileExists(access.path_);
   if (named) {
-    const Result<DatasetPtr> again = access.reopen();
+    // As the host opened it: a VRT's XML says whether its sources are shared.
+    const Result<DatasetPtr> again = access.reopen(VrtSources::shared);
     if (again.ok() && sameRaster(host, **again, band))
       return access;
   }
@@ -122,20 +125,22 @@ std::unique_lock<std::mutex> lockOf(std::mutex* mutex) {
 }
 
 Result<DatasetPtr> DatasetAccess::describe() const {
-  return host_ ? DatasetPtr(host_, {false}) : reopen();
+  return host_ ? DatasetPtr(host_, {false}) : reopen(VrtSources::own);
 }
 
 Result<DatasetPtr> DatasetAccess::open() const {
-  return mutex_ ? DatasetPtr(host_, {false}) : reopen();
+  return mutex_ ? DatasetPtr(host_, {false}) : reopen(VrtSources::own);
 }
 
 void DatasetAccess::enterThread() const {
   CPLSetThreadLocalConfigOptions(threadOptions_.List());
 }
 
-Result<DatasetPtr> DatasetAccess::reopen() const {
+Result<DatasetPtr> DatasetAccess::reopen(VrtSources sources) const {
   QuietErrors errors;
-  const UnsharedSources unshared;
+  std::optional<UnsharedSources> unshared;
+  if (sources == VrtSources::own)
+    unshared.emplace();
   DatasetPtr dataset(GDALDataset::Open(path_.c_str(),
                                        GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR,
                                        formats_.empty() ? nullptr : formats_.List(),

@@ -53,7 +53,8 @@ class DatasetAccess {
   void enterThread() const;
 
  private:
-  Result<DatasetPtr> reopen() const;
+  enum class VrtSources { shared, own }; ///< with other datasets of the thread, or not
+  Result<DatasetPtr> reopen(VrtSources sources) const;
 
   std::string path_;
   CPLStringList formats_, openOptions_;

@@ -148,8 +148,11 @@ std::string translated(const OptionTable& table, const std::string& word) {
 std::string inCreationWords(const OptionTable& table, const std::string& sentence) {
   std::string out;
   for (std::size_t at = 0; at < sentence.size();) {
-    const bool begins = sentence[at] == '-' &&
-                        (at == 0 || std::string(" ('").find(sentence[at - 1]) != std::string::npos);
+    const bool afterBreak =
+        at == 0 || std::string(" ('").find(sentence[at - 1]) != std::string::npos;
+    const bool afterOption =
+        at > 0 && sentence[at - 1] == '/' && sentence.compare(at, 2, "--") == 0;
+    const bool begins = sentence[at] == '-' && (afterBreak || afterOption);
     std::size_t end = at + 1;
     while (begins && end < sentence.size() && isWordCharacter(sentence[end]))
       ++end;
