@@ -14,6 +14,7 @@ import os
 import pathlib
 import subprocess
 import sys
+import xml.etree.ElementTree as etree
 
 DOCS = pathlib.Path(__file__).resolve().parent
 BIN = pathlib.Path(os.environ.get("QMESH_BIN", DOCS.parent / "build/bin/gdal2qmesh")).parent
@@ -90,7 +91,29 @@ def findings_page():
     return "\n".join(lines)
 
 
+def driver_options(kind):
+    """The table of one list of options that gdalinfo shows of the driver."""
+    environment = {**os.environ, "GDAL_DRIVER_PATH": str(BIN.parent / "gdalplugins")}
+    said = subprocess.run(["gdalinfo", "--format", "QMESH"], check=True, capture_output=True, text=True,
+                          env=environment).stdout
+    begin, end = f"<{kind}>", f"</{kind}>"
+    options = etree.fromstring(said[said.index(begin):said.index(end) + len(end)])
+    lines = ["| option | values | meaning | default |", "|---|---|---|---|"]
+    for option in options:
+        values = ", ".join(f"`{value.text}`" for value in option.findall("Value")) or VALUES[option.get("type")]
+        if option.get("max") and len(option.get("max")) < 9:
+            values += f" from {option.get('min')} to {option.get('max')}"
+        text, _, unset = option.get("description").partition(" Default: ")
+        chosen = f"`{option.get('default')}`" if option.get("default") else unset.rstrip(".")
+        lines.append(f"| `{option.get('name')}` | {values} | {cell(text)} | {cell(chosen)} |")
+    return "\n".join(lines)
+
+
+VALUES = {"boolean": "`YES`, `NO`", "int": "whole number", "float": "number", "string": "text"}
+
 PAGES = {
+    "creation-options.md": lambda: driver_options("CreationOptionList"),
+    "open-options.md": lambda: driver_options("OpenOptionList"),
     "options-gdal2qmesh.md": lambda: options_page("gdal2qmesh"),
     "options-qmeshinfo.md": lambda: options_page("qmeshinfo"),
     "findings.md": findings_page,
