@@ -173,6 +173,7 @@ if [ "$mode" != quick ]; then
     stage count_pytest "install" 10 /usr/bin/python3 -m pytest -rs -q -p no:cacheprovider autotest/install
   stage count_none "QGIS packages" 10 qmesh_install "${QMESH_QGIS_PACKAGES[@]}" &&
     stage count_pytest "QGIS" 10 /usr/bin/python3 -m pytest -rs -q -p no:cacheprovider autotest/qgis
+  stage count_one "newest GDAL headers" 8 autotest/driver/newest_gdal.sh
   stage count_one "benchmark programs" 5 bench_programs
   stage count_none "build with sanitizers" 15 build_preset sanitize &&
     stage count_ctest "unit tests with sanitizers" 15 unit_tests build-sanitize

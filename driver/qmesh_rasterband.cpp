@@ -52,24 +52,24 @@ CPLErr QMESHRasterBand::IReadBlock(int nBlockX, int nBlockY, void *pData)
     return CE_None;
 }
 
-double QMESHRasterBand::GetNoDataValue(int *pbSuccess) QMESH_CONST_GETTER
+double QMESHRasterBand::GetNoDataValue(int *pbSuccess)
 {
     if (pbSuccess != nullptr)
         *pbSuccess = TRUE;
     return dfNoData;
 }
 
-const char *QMESHRasterBand::GetUnitType() QMESH_CONST_GETTER
+const char *QMESHRasterBand::GetUnitType()
 {
     return "m";
 }
 
-int QMESHRasterBand::GetOverviewCount() QMESH_CONST_GETTER
+int QMESHRasterBand::GetOverviewCount()
 {
     return static_cast<int>(m_apoOverviews.size());
 }
 
-GDALRasterBand *QMESHRasterBand::GetOverview(int iOverview) QMESH_CONST_GETTER
+GDALRasterBand *QMESHRasterBand::GetOverview(int iOverview)
 {
     if (iOverview < 0 || iOverview >= GetOverviewCount())
         return nullptr;

@@ -25,10 +25,10 @@ class QMESHRasterBand final : public GDALRasterBand
     }
 
     CPLErr IReadBlock(int nBlockX, int nBlockY, void *pData) override;
-    double GetNoDataValue(int *pbSuccess) QMESH_CONST_GETTER override;
-    const char *GetUnitType() QMESH_CONST_GETTER override;
-    int GetOverviewCount() QMESH_CONST_GETTER override;
-    GDALRasterBand *GetOverview(int iOverview) QMESH_CONST_GETTER override;
+    double GetNoDataValue(int *pbSuccess) override;
+    const char *GetUnitType() override;
+    int GetOverviewCount() override;
+    GDALRasterBand *GetOverview(int iOverview) override;
 
   private:
     QMESHDataset *m_poDataset;

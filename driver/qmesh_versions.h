@@ -13,7 +13,7 @@
 // virtual.
 #define QMESH_HAS_LAYER_HOOKS QMESH_GDAL_SINCE(3, 11)
 
-// 3.12: getters of datasets, bands and layers are const, and give const pointers.
+// 3.12: the vector getters of datasets and layers are const, and give const pointers. Those of bands are not.
 #if QMESH_GDAL_SINCE(3, 12)
 #define QMESH_CONST_GETTER const
 #else
@@ -29,6 +29,3 @@
 #else
 #define QMESH_OPTION_LIST char **
 #endif
-
-// 3.13: GDALDataset::Close takes a progress function.
-#define QMESH_CLOSE_HAS_PROGRESS QMESH_GDAL_SINCE(3, 13)

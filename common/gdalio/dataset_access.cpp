@@ -51,7 +51,7 @@ std::string driverName(GDALDataset& dataset) {
 
 /// A VRT's whole state as text; empty for other formats.
 std::string vrtXml(GDALDataset& dataset) {
-  char** xml = dataset.GetMetadata("xml:VRT");
+  CSLConstList xml = dataset.GetMetadata("xml:VRT");
   return xml && xml[0] ? xml[0] : "";
 }
 

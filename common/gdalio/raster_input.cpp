@@ -19,7 +19,7 @@ Status bad(const std::string& path, const std::string& fault) {
 Status checkBands(GDALDataset& dataset, const std::string& path, int band) {
   const int count = dataset.GetRasterCount();
   if (count == 0) {
-    char** parts = dataset.GetMetadata("SUBDATASETS");
+    CSLConstList parts = dataset.GetMetadata("SUBDATASETS");
     const char* first = CSLFetchNameValue(parts, "SUBDATASET_1_NAME");
     return bad(path, first ? std::string("holds several rasters; name one of them, for example '") +
                                  first + "'"
