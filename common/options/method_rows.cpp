@@ -69,10 +69,14 @@ Rows greedyRows() {
           .value("TYPE")
           .choice(&Options::errorType)
           .advanced()
-          .help("greedy: how the distance of a node from the mesh is measured."),
+          .help("greedy: how the distance of a node from the mesh is measured. With 3d the height "
+                "error "
+                "may exceed the max error on slopes; reports tell the height error all the same."),
       specRow("init-grid", &Options::initGrid, 1, 1024)
           .unit("cells per tile edge")
-          .help("greedy: begin with a grid of so many cells, a power of two, whose nodes stay."),
+          .help("greedy: begin with a grid of so many cells, rounded up to a power of two, whose "
+                "inner "
+                "nodes stay."),
   };
 }
 

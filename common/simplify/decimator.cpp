@@ -31,7 +31,9 @@ bool isTooSteep(const SpanCorner& a, const SpanCorner& b, const SpanCorner& c, f
 
 } // namespace
 
-int Decimator::run(Triangulation& mesh, NodeHeights& heights, int keptCells, float tolerance) {
+int Decimator::run(Triangulation& mesh, NodeHeights& heights, int keptCells, float tolerance,
+                   const ErrorDistance& distance) {
+  distance_ = distance;
   int removed = 0;
   for (std::int32_t v = 0; v < std::int32_t(mesh.vertices().size()); ++v) {
     const NodeVertex& vertex = mesh.vertex(v);
@@ -58,7 +60,7 @@ bool Decimator::tryRemove(Triangulation& mesh, NodeHeights& heights, std::int32_
   targets_.clear();
   for (std::size_t m = 0; m < ring_.size(); ++m) {
     float error = 0;
-    if (fan(m, vertex.corner.height, error) && error <= tolerance)
+    if (fan(m, vertex.corner.height, error) && (error <= tolerance || !distance_.isHeight()))
       targets_.push_back({error, int(m)});
   }
   // The best fit first: it passes most often, so that one scan is enough.
@@ -117,7 +119,8 @@ bool Decimator::isWithin(const Triangulation& mesh, const NodeHeights& heights, 
   for (std::size_t k = m + 1; k + 1 < m + ring_.size(); ++k) {
     const SpanCorner& a = mesh.vertex(around(k).vertex).corner;
     const SpanCorner& b = mesh.vertex(around(k + 1).vertex).corner;
-    if (isTooSteep(apex, a, b, tolerance) || heights.worst(apex, a, b, tolerance).node >= 0)
+    const auto height = float(tolerance * distance_.heightPerDistance(apex, a, b));
+    if (isTooSteep(apex, a, b, height) || heights.worst(apex, a, b, height).node >= 0)
       return false;
   }
   return true;

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "simplify/metric_scale.h"
 #include "simplify/node_heights.h"
 #include "simplify/triangulation.h"
 
@@ -19,7 +20,8 @@ class Decimator {
   /// triangle is counter-clockwise and no unmasked node of them, its own included, is off by more
   /// than the tolerance (metres). Vertices on the nodes of a grid of `keptCells` nodes' spacing
   /// stay. Returns how many went.
-  int run(Triangulation& mesh, NodeHeights& heights, int keptCells, float tolerance);
+  int run(Triangulation& mesh, NodeHeights& heights, int keptCells, float tolerance,
+          const ErrorDistance& distance = {});
 
   /// Takes one vertex out, the first that the geometry permits; heights do not count.
   /// False when there is none.
@@ -50,6 +52,7 @@ class Decimator {
     return ring_[k < ring_.size() ? k : k - ring_.size()];
   }
 
+  ErrorDistance distance_;
   std::vector<std::int32_t> star_; ///< half-edges that leave the vertex
   std::vector<Neighbour> ring_;    ///< their ends, counter-clockwise
   std::vector<Target> targets_;

@@ -21,6 +21,8 @@ void ExactRefinement::reset(const HeightTile& tile, const TileFrame& frame, doub
   tile_ = &tile;
   frame_ = &frame;
   maxError_ = maxError;
+  distance_ = {};
+  isFree_ = {};
   severalPlaces_ = frame.heightStep() <= maxError; // else rounded heights are in the way
   nodeV_.clear();
   for (int j = 0; j <= frame.cells(); ++j)
@@ -66,6 +68,13 @@ bool ExactRefinement::insertAtFreePlace(NodeMesh& nodes, const Candidate& candid
   const int across = frame_->cells() + 1;
   const int i = candidate.node % across, j = candidate.node / across;
   std::uint8_t& used = places_[std::size_t(candidate.node)];
+  if (isOnEdge(i, j)) { // at the frame's place, where the neighbour will look for it
+    if (used != 0)
+      return false;
+    used = kAllPlaces;
+    nodes.triangulation().insert(nodes.makeVertex(i, j), candidate.triangle);
+    return true;
+  }
   const int west = int(frame_->nodeU(i)), south = int(frame_->nodeV(j));
   const double du = frame_->nodeU(i) - west, dv = frame_->nodeV(j) - south;
   int best = -1;
@@ -99,11 +108,25 @@ void ExactRefinement::countPlaces(const Triangulation& mesh) {
     if ((east | north) >> 1 != 0)
       continue;
     std::uint8_t& used = places_[std::size_t(index(vertex.i, vertex.j))];
-    used = severalPlaces_ ? std::uint8_t(used | 1 << (2 * north + east)) : kAllPlaces;
+    used = severalPlaces_ && !isOnEdge(vertex.i, vertex.j)
+               ? std::uint8_t(used | 1 << (2 * north + east))
+               : kAllPlaces;
   }
 }
 
-/// The inner node of a triangle with the largest error above the tolerance, in the arithmetic of
+bool ExactRefinement::isOnEdge(int i, int j) const {
+  const int n = frame_->cells();
+  return i == 0 || j == 0 || i == n || j == n;
+}
+
+/// Inner nodes and those of free edges.
+bool ExactRefinement::mayBecomeVertex(int i, int j) const {
+  const int n = frame_->cells();
+  return (i > 0 || isFree_[kWest]) && (j > 0 || isFree_[kSouth]) && (i < n || isFree_[kEast]) &&
+         (j < n || isFree_[kNorth]);
+}
+
+/// The node of a triangle with the largest error above the tolerance, in the arithmetic of
 /// measureError(); one with all its places taken has no say.
 NodeError ExactRefinement::worstOf(const Triangulation& mesh, std::int32_t t,
                                    double tolerance) const {
@@ -116,16 +139,17 @@ NodeError ExactRefinement::worstOf(const Triangulation& mesh, std::int32_t t,
   const double slope = heightPerColumn(corners[0], corners[1], corners[2], unitsPerColumn(cells));
   listSpans(corners[0], corners[1], corners[2], nodeV_.data(), slope, *spans_);
   NodeError found;
-  double worst = tolerance;
+  const double perDistance = distance_.heightPerDistance(corners[0], corners[1], corners[2]);
+  double worst = tolerance * perDistance;
   for (int r = 0; r < spans_->rows; ++r) {
     const int j = spans_->firstRow + r;
     for (int i = spans_->begin[r]; i < spans_->begin[r] + spans_->count[r]; ++i) {
       const double error =
           std::abs(spans_->height[r] + (i - spans_->begin[r]) * slope - tile_->at(i, j));
-      const bool inner = i > 0 && j > 0 && i < cells && j < cells;
-      if (error > worst && inner && places_[std::size_t(index(i, j))] != kAllPlaces) {
+      if (error > worst && mayBecomeVertex(i, j) &&
+          places_[std::size_t(index(i, j))] != kAllPlaces) {
         worst = error;
-        found = {index(i, j), float(error)};
+        found = {index(i, j), float(error / perDistance)};
       }
     }
   }

@@ -2,6 +2,7 @@
 // Copyright (c) 2026 the qmesh authors
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "mesh/error_measure.h"
 #include "mesh/tile_frame.h"
 #include "mesh/tin.h"
+#include "simplify/metric_scale.h"
 #include "simplify/node_mesh.h"
 #include "simplify/refinement_rounds.h"
 
@@ -23,6 +25,11 @@ class ExactRefinement {
   /// REQUIRES: tile and frame live as long as this is used.
   void reset(const HeightTile& tile, const TileFrame& frame, double maxError);
 
+  /// Errors are measured so until the next reset(). DEFAULT: heights.
+  void setDistance(const ErrorDistance& distance) { distance_ = distance; }
+  /// The nodes of these edges may become vertices until the next reset(). DEFAULT: of none.
+  void setFreeEdges(const std::array<bool, 4>& isFree) { isFree_ = isFree; }
+
   /// Writes the mesh to `out` and inserts nodes until measureError() finds none beyond the max
   /// error, or none that can be helped: then rounding is to blame. Returns the last measure.
   ErrorMeasure run(NodeMesh& nodes, Tin& out);
@@ -34,11 +41,15 @@ class ExactRefinement {
   NodeError worstOf(const Triangulation& mesh, std::int32_t t, double tolerance) const;
   bool insertAtFreePlace(NodeMesh& nodes, const Candidate& candidate);
   void countPlaces(const Triangulation& mesh);
+  bool isOnEdge(int i, int j) const;
+  bool mayBecomeVertex(int i, int j) const;
   int index(int i, int j) const { return j * (frame_->cells() + 1) + i; }
 
   const HeightTile* tile_ = nullptr;
   const TileFrame* frame_ = nullptr;
   double maxError_ = 0;
+  ErrorDistance distance_;
+  std::array<bool, 4> isFree_{};
   bool severalPlaces_ = false; ///< a node may have more than one of its places
   RefinementRounds rounds_;
   std::vector<double> nodeV_;

@@ -4,9 +4,11 @@
 #include <cassert>
 #include <cmath>
 
+#include "options/level_spec.h"
 #include "simplify/decimator.h"
 #include "simplify/exact_refinement.h"
 #include "simplify/methods.h"
+#include "simplify/metric_scale.h"
 #include "simplify/node_heights.h"
 #include "simplify/node_mesh.h"
 #include "simplify/refinement_rounds.h"
@@ -24,14 +26,18 @@ class Greedy final : public Simplifier {
  public:
   explicit Greedy(const MethodOptions& options) : options_(options) {}
 
+  bool choosesBorder() const override { return true; }
+
   Status simplify(const HeightTile& tile, const TileFrame& frame, const Border& border,
                   const LevelParams& level, Tin& out) override;
 
  private:
-  void start(const Border& border, int baseGrid);
+  Result<int> gridAt(const LevelParams& level, int cells) const;
+  void start(const Border& border, int grid);
+  void refine(float tolerance);
   void seed(double tolerance);
   void insertNode(int i, int j, std::int32_t hint);
-  void maskBorder();
+  void maskBorder(const Border& border);
   ErrorMeasure leaveForbiddenCount(Tin& out);
   void report(const ErrorMeasure& measure, const LevelParams& level, Tin& out) const;
 
@@ -41,6 +47,7 @@ class Greedy final : public Simplifier {
   NodeMesh nodes_;
   Triangulation& mesh_ = nodes_.triangulation();
   NodeHeights heights_;
+  ErrorDistance distance_;
   Decimator decimator_;
   RefinementRounds rounds_;
   ExactRefinement exact_;
@@ -51,16 +58,53 @@ Status Greedy::simplify(const HeightTile& tile, const TileFrame& frame, const Bo
   assert(tile.cells() == frame.cells());
   tile_ = &tile;
   frame_ = &frame;
+  const Result<int> grid = gridAt(level, tile.cells());
+  if (!grid.ok())
+    return grid.status();
+  const bool across = options_.errorType == ErrorType::distance3d;
+  distance_ = across ? ErrorDistance(metricScale(tile)) : ErrorDistance();
   exact_.reset(tile, frame, level.maxError);
+  exact_.setDistance(distance_);
+  exact_.setFreeEdges(border.isFree);
   heights_.reset(tile, frame);
-  start(border, level.baseGrid);
+  start(border, *grid);
   const float tolerance = heights_.scanTolerance(level.maxError);
   seed(tolerance);
+  refine(tolerance);
+  if (options_.decimate) {
+    decimator_.run(mesh_, heights_, tile.cells() / *grid, tolerance, distance_);
+    mesh_.forgetChanges();
+  }
+  ErrorMeasure measure = exact_.run(nodes_, out);
+  if (out.vertices.size() == kForbiddenVertexCount)
+    measure = leaveForbiddenCount(out);
+  report(measure, level, out);
+  return {};
+}
+
+/// Cells per edge of the grid whose nodes stay: the curvature grid or a finer one that was asked
+/// for.
+Result<int> Greedy::gridAt(const LevelParams& level, int cells) const {
+  const auto asked = specValue(options_.initGrid, level.zoom);
+  if (!asked.ok())
+    return asked.status();
+  int grid = level.baseGrid;
+  while (grid < cells && grid < asked->value_or(0))
+    grid *= 2;
+  return grid;
+}
+
+/// Rounds of inserting the worst nodes until all are within the tolerance.
+void Greedy::refine(float tolerance) {
   rounds_.run(
       mesh_,
       [&](std::int32_t t) {
-        return heights_.worst(mesh_.cornerOf(t, 0).corner, mesh_.cornerOf(t, 1).corner,
-                              mesh_.cornerOf(t, 2).corner, tolerance);
+        const SpanCorner &a = mesh_.cornerOf(t, 0).corner, &b = mesh_.cornerOf(t, 1).corner,
+                         &c = mesh_.cornerOf(t, 2).corner;
+        const double perDistance = distance_.heightPerDistance(a, b, c);
+        NodeError worst = heights_.worst(a, b, c, float(tolerance * perDistance));
+        worst.error = float(worst.error / perDistance);
+        return worst;
       },
       [&](const Candidate& candidate) {
         if (heights_.isMasked(candidate.node))
@@ -69,15 +113,6 @@ Status Greedy::simplify(const HeightTile& tile, const TileFrame& frame, const Bo
                    candidate.triangle);
         return true;
       });
-  if (options_.decimate) {
-    decimator_.run(mesh_, heights_, tile.cells() / level.baseGrid, tolerance);
-    mesh_.forgetChanges();
-  }
-  ErrorMeasure measure = exact_.run(nodes_, out);
-  if (out.vertices.size() == kForbiddenVertexCount)
-    measure = leaveForbiddenCount(out);
-  report(measure, level, out);
-  return {};
 }
 
 /// A first coarse mesh without scans: of ever denser grids, the nodes that are off by more than the
@@ -91,23 +126,24 @@ void Greedy::seed(double tolerance) {
           continue;
         const NodeVertex vertex = nodes_.makeVertex(i, j);
         const std::int32_t t = mesh_.locate(vertex.corner, mesh_.changed().back());
-        const double height = planeHeight(mesh_.cornerOf(t, 0).corner, mesh_.cornerOf(t, 1).corner,
-                                          mesh_.cornerOf(t, 2).corner, vertex.corner);
-        if (std::abs(height - vertex.corner.height) > tolerance)
+        const SpanCorner &a = mesh_.cornerOf(t, 0).corner, &b = mesh_.cornerOf(t, 1).corner,
+                         &c = mesh_.cornerOf(t, 2).corner;
+        const double error = std::abs(planeHeight(a, b, c, vertex.corner) - vertex.corner.height);
+        if (error > tolerance * distance_.heightPerDistance(a, b, c))
           insertNode(i, j, t);
       }
     }
   }
 }
 
-/// The corners, the border and the curvature grid.
-void Greedy::start(const Border& border, int baseGrid) {
+/// The corners, the border and the grid.
+void Greedy::start(const Border& border, int grid) {
   const int n = frame_->cells();
-  nodes_.reset(*tile_, *frame_, border, baseGrid);
-  maskBorder();
-  const int baseCells = n / baseGrid;
-  for (int j = baseCells; j < n; j += baseCells) {
-    for (int i = baseCells; i < n; i += baseCells)
+  nodes_.reset(*tile_, *frame_, border, grid);
+  maskBorder(border);
+  const int step = n / grid;
+  for (int j = step; j < n; j += step) {
+    for (int i = step; i < n; i += step)
       heights_.mask(i, j);
   }
 }
@@ -117,14 +153,19 @@ void Greedy::insertNode(int i, int j, std::int32_t hint) {
   heights_.mask(i, j);
 }
 
-/// The border's vertices are given; its other nodes have no say.
-void Greedy::maskBorder() {
+/// The border's vertices are given; its other nodes have no say but on free edges.
+void Greedy::maskBorder(const Border& border) {
   const int n = frame_->cells();
-  for (int k = 0; k <= n; ++k) {
-    heights_.mask(k, 0);
-    heights_.mask(k, n);
-    heights_.mask(0, k);
-    heights_.mask(n, k);
+  for (const Edge edge : {kWest, kSouth, kEast, kNorth}) {
+    const bool alongRow = edge == kSouth || edge == kNorth;
+    const int across = edge == kEast || edge == kNorth ? n : 0;
+    const auto mask = [&](int k) {
+      alongRow ? heights_.mask(k, across) : heights_.mask(across, k);
+    };
+    for (const std::uint16_t place : border[edge])
+      mask(alongRow ? frame_->nearestColumn(place) : frame_->nearestRow(place));
+    for (int k = 0; k <= n && !border.isFree[std::size_t(edge)]; ++k)
+      mask(k);
   }
 }
 
@@ -141,8 +182,8 @@ void Greedy::report(const ErrorMeasure& measure, const LevelParams& level, Tin& 
   const auto across = std::size_t(frame_->cells()) + 1;
   out.maxError = measure.max;
   out.sumSquaredError = measure.sumSquared;
-  if (measure.max > level.maxError)
-    out.reason = StopReason::quantization;
+  if (measure.max > level.maxError) // across the planes it may be all right
+    out.reason = distance_.isHeight() ? StopReason::quantization : StopReason::parameter;
   else
     out.reason =
         out.vertices.size() == across * across ? StopReason::allNodes : StopReason::maxError;

@@ -19,6 +19,10 @@ std::unique_ptr<Simplifier> createCollapse(const MethodOptions& options);
 /// (Ai et al. 2019).
 std::unique_ptr<Simplifier> createQem(const MethodOptions& options);
 
+/// Restricted quadtree by cumulated curvature or by the max error (Cifuentes, Venere & Clausse
+/// 2010).
+std::unique_ptr<Simplifier> createQuadtree(const MethodOptions& options);
+
 /// Every node a vertex.
 std::unique_ptr<Simplifier> createAllNodes(const MethodOptions& options);
 

@@ -26,6 +26,9 @@ const std::vector<SimplifierInfo>& simplifiers() {
       {"qem", "decimation",
        "collapses the edge with the least quadric error until details would show", false, "svo",
        createQem},
+      {"quadtree", "refinement",
+       "halves cells where the terrain is curved or beyond the max error; regular triangles", true,
+       "max-error", createQuadtree},
       {"delaunay", "reference", "keeps every node: the reference to compare with", false, "",
        createAllNodes},
   };

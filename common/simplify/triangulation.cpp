@@ -9,6 +9,16 @@ namespace qmesh {
 
 namespace {
 
+/// Shape of a counter-clockwise triangle: its doubled area over its longest side squared; <= 0 for
+/// others.
+double shapeOf(const SpanCorner& a, const SpanCorner& b, const SpanCorner& c) {
+  const auto squared = [](const SpanCorner& p, const SpanCorner& q) {
+    const double du = p.u - q.u, dv = p.v - q.v;
+    return du * du + dv * dv;
+  };
+  return double(doubledArea(a, b, c)) / std::max({squared(a, b), squared(b, c), squared(c, a)});
+}
+
 /// True where d lies inside the circle through the counter-clockwise a, b, c; exact.
 bool inCircle(const SpanCorner& a, const SpanCorner& b, const SpanCorner& c, const SpanCorner& d) {
   const std::int64_t au = a.u - d.u, av = a.v - d.v;
@@ -322,6 +332,59 @@ void Triangulation::moveCorner(std::int32_t halfEdge, std::int32_t target) {
   origin_[std::size_t(halfEdge)] = target;
   const std::int32_t e = halfEdge / 3 * 3;
   setTriangle(halfEdge / 3, origin(e), origin(e + 1), origin(e + 2));
+}
+
+/// Turns the corners of a triangle so that a half-edge of it becomes its first.
+void Triangulation::turnFirst(std::int32_t halfEdge) {
+  const std::int32_t t = halfEdge / 3;
+  const std::int32_t second = next(halfEdge), third = previous(halfEdge);
+  const std::int32_t corners[3] = {origin(halfEdge), origin(second), origin(third)};
+  const std::int32_t twins[3] = {twin(halfEdge), twin(second), twin(third)};
+  setTriangle(t, corners[0], corners[1], corners[2]);
+  for (int k = 0; k < 3; ++k)
+    link(3 * t + k, twins[k]);
+}
+
+/// Of the neighbours around a border vertex, which the two beside can do without: place in the star
+/// of the one whose triangle with those has the best shape.
+std::int32_t Triangulation::bestEar(const std::vector<std::int32_t>& star) const {
+  const auto place = [&](std::size_t m) -> const SpanCorner& {
+    const std::int32_t e = star[std::min(m, star.size() - 1)];
+    return vertex(m < star.size() ? destination(e) : origin(previous(e))).corner;
+  };
+  const SpanCorner& centre = vertex(origin(star.front())).corner;
+  std::int32_t best = kNone;
+  double bestShape = 0;
+  for (std::size_t m = 1; m < star.size(); ++m) {
+    const double shape = shapeOf(place(m - 1), place(m), place(m + 1));
+    if (shape > bestShape && doubledArea(centre, place(m - 1), place(m + 1)) > 0) {
+      best = std::int32_t(m);
+      bestShape = shape;
+    }
+  }
+  return best;
+}
+
+void Triangulation::removeBorderVertex(std::int32_t v) {
+  std::vector<std::int32_t> around;
+  for (star(v, around); around.size() > 2; star(v, around)) {
+    // Without v the neighbours are the corners of a polygon, all seen from v: it has an ear there.
+    const std::int32_t ear = bestEar(around);
+    assert(ear != kNone);
+    turnFirst(around[std::size_t(ear)]);
+    flip(around[std::size_t(ear)] / 3);
+  }
+  flipStack_.clear();
+  const std::int32_t t = around[0] / 3, gone = around[1] / 3;
+  const std::int32_t right = destination(around[0]), top = destination(around[1]);
+  const std::int32_t left = origin(previous(around[1]));
+  const std::int32_t beyondRight = twin(next(around[0])), beyondLeft = twin(next(around[1]));
+  origin_[std::size_t(3 * gone)] = kNone;
+  setTriangle(t, left, right, top);
+  link(3 * t, kNone);
+  link(3 * t + 1, beyondRight);
+  link(3 * t + 2, beyondLeft);
+  leaving_[std::size_t(v)] = kNone;
 }
 
 } // namespace qmesh

@@ -54,6 +54,10 @@ class Triangulation {
   /// REQUIRES: they cover the star.
   void remove(std::int32_t vertex, const std::vector<std::array<std::int32_t, 3>>& fill);
 
+  /// Takes away a vertex of the square's edges that is no corner: edges are flipped until two
+  /// triangles are left to it, best shapes first, and those become one.
+  void removeBorderVertex(std::int32_t vertex);
+
   /// The half-edges that leave a vertex, counter-clockwise. At a vertex of the square's edges they
   /// begin with the one on the edge; the neighbour behind the last one is that one's previous
   /// origin.
@@ -94,6 +98,8 @@ class Triangulation {
   void restoreDelaunay(std::int32_t p);
   void flip(std::int32_t t);
   void linkFill(const std::vector<std::array<std::int32_t, 3>>& fill);
+  void turnFirst(std::int32_t halfEdge);
+  std::int32_t bestEar(const std::vector<std::int32_t>& star) const;
   void moveCorner(std::int32_t halfEdge, std::int32_t target);
 
   std::vector<NodeVertex> vertices_;

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "geo/ellipsoid.h"
 #include "mesh/check.h"
 #include "mesh/error_measure.h"
 #include "simplified.h"
@@ -180,6 +181,119 @@ TEST(Greedy, NeverMakes65536Vertices) {
   ASSERT_TRUE(greedy->simplify(patch.tile(), made.frame, made.border, level, made.tin).ok());
   EXPECT_EQ(checkTin(made.tin), "");
   EXPECT_EQ(made.tin.vertices.size(), 65535u);
+}
+
+/// The largest distance of a node from the triangle below or above it, measured across the plane,
+/// by the pages of a geometry book: every node against every triangle that holds it.
+double largestDistance(const HeightTile& tile, const Simplified& made) {
+  const GeoBox box = tile.lattice().scheme().box(tile.id());
+  const double latitude = (box.south + box.north) / 2;
+  const double east = (box.east - box.west) * wgs84::metresPerDegreeEast(latitude) / 32767;
+  const double north = (box.north - box.south) * wgs84::metresPerDegreeNorth(latitude) / 32767;
+  const auto point = [&](std::uint32_t k) {
+    const TinVertex& v = made.tin.vertices[k];
+    return Vec3{v.u * east, v.v * north, made.frame.decode(v.q)};
+  };
+  const auto turn = [](const Vec3& p, const Vec3& q, const Vec3& r) {
+    return (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
+  };
+  double largest = 0;
+  for (const TinTriangle& t : made.tin.triangles) {
+    const Vec3 a = point(t[0]), b = point(t[1]), c = point(t[2]), p = b - a, q = c - a;
+    const Vec3 normal =
+        normalized({p.y * q.z - p.z * q.y, p.z * q.x - p.x * q.z, p.x * q.y - p.y * q.x});
+    for (int j = 0; j <= tile.cells(); ++j) {
+      for (int i = 0; i <= tile.cells(); ++i) {
+        const Vec3 node{made.frame.nodeU(i) * east, made.frame.nodeV(j) * north, tile.at(i, j)};
+        const double grain = -1e-6;
+        if (turn(a, b, node) > grain && turn(b, c, node) > grain && turn(c, a, node) > grain)
+          largest = std::max(largest, std::abs(dot(normal, node - a)));
+      }
+    }
+  }
+  return largest;
+}
+
+TEST(Greedy, ThreeDimensionalErrorIsBoundedAcrossThePlanes) {
+  const Place place{Profile::geodetic, 14, 5000, 6000, 32};
+  MethodOptions options;
+  options.errorType = ErrorType::distance3d;
+  for (const bool decimate : {false, true}) {
+    options.decimate = decimate;
+    const auto method = findSimplifier("greedy")->create(options);
+    for (const double maxError : {4.0, 20.0}) {
+      const TerrainPatch patch(place.lattice(), place.id(), 1, 1, Terrain::ridged, 17);
+      const LevelParams level = place.level(maxError);
+      const Simplified height = simplify(patch.tile(), level, decimate);
+      const Simplified across = simplify(patch.tile(), level, *method);
+      ASSERT_EQ(checkTin(across.tin), "");
+      EXPECT_EQ(borderPlaces(across), placesOf(across.border));
+      EXPECT_LE(largestDistance(patch.tile(), across), maxError * (1 + 1e-9));
+      EXPECT_LT(across.tin.triangles.size(), height.tin.triangles.size());
+      EXPECT_GT(across.tin.maxError, maxError); // of the heights: slopes are steep here
+      EXPECT_EQ(across.tin.reason, StopReason::parameter);
+    }
+  }
+}
+
+TEST(Greedy, TheInitialGridStaysAndLeavesTheBorderAlone) {
+  const Place place{Profile::geodetic, 12, 1411, 2828, 64};
+  const TerrainPatch patch(place.lattice(), place.id(), 1, 1, Terrain::fractal, 3);
+  const LevelParams level = place.level(200);
+  MethodOptions options;
+  options.initGrid = "7"; // rounded up to 8
+  const auto method = findSimplifier("greedy")->create(options);
+  const Simplified made = simplify(patch.tile(), level, *method);
+  expectPromises(made, patch.tile());
+  const auto inner = innerNodes(made);
+  for (int j = 8; j < 64; j += 8) {
+    for (int i = 8; i < 64; i += 8)
+      EXPECT_TRUE(inner.count({i, j})) << i << " " << j;
+  }
+  EXPECT_EQ(borderPlaces(made), borderPlaces(simplify(patch.tile(), level)));
+}
+
+// Under --border inherit: a free edge takes part in the insertion, a final one does not change.
+TEST(Greedy, AddsNodesToFreeEdgesOnly) {
+  EXPECT_TRUE(findSimplifier("greedy")->create({})->choosesBorder());
+  unsigned seed = 40;
+  for (const Place& place : places()) {
+    if (place.zoom < 2)
+      continue;
+    for (const Terrain terrain : {Terrain::ridged, Terrain::spikes, Terrain::plane}) {
+      SCOPED_TRACE(testing::Message() << place << " " << name(terrain));
+      const TerrainPatch patch(place.lattice(), place.id(), 1, 1, terrain, ++seed);
+      Simplified made;
+      made.level = place.level(30);
+      made.frame.reset(patch.tile(), made.level);
+      makeBorder(patch.tile(), made.frame, made.level, made.border);
+      for (const Edge edge : {kSouth, kEast}) {
+        const bool pole = edge == kSouth && place.lattice().isPole(patch.tile().row0());
+        made.border.isFree[std::size_t(edge)] = !pole;
+        if (!pole)
+          made.border[edge] = {0, kQuantizedMax};
+      }
+      const auto greedy = findSimplifier("greedy")->create({});
+      ASSERT_TRUE(
+          greedy->simplify(patch.tile(), made.frame, made.border, made.level, made.tin).ok());
+      ASSERT_EQ(checkTin(made.tin), "");
+      if (made.tin.reason != StopReason::quantization) {
+        EXPECT_LE(made.tin.maxError, 30);
+      }
+      const auto given = placesOf(made.border);
+      for (const auto& [u, v] : borderPlaces(made)) {
+        const bool free = (v == 0 && made.border.isFree[kSouth]) ||
+                          (u == kQuantizedMax && made.border.isFree[kEast]);
+        EXPECT_TRUE(free || given.count({u, v})) << u << " " << v;
+        if (free && !given.count({u, v})) {
+          EXPECT_EQ(u, made.frame.u(made.frame.nearestColumn(std::uint16_t(u))));
+          EXPECT_EQ(v, made.frame.v(made.frame.nearestRow(std::uint16_t(v))));
+        }
+      }
+      for (const auto& vertex : given)
+        EXPECT_TRUE(borderPlaces(made).count(vertex));
+    }
+  }
 }
 
 } // namespace

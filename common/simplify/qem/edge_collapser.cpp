@@ -42,7 +42,7 @@ std::vector<std::uint32_t> ranks(const Triangulation& mesh) {
 
 } // namespace
 
-void EdgeCollapser::reset(Triangulation& mesh, const Scale& scale,
+void EdgeCollapser::reset(Triangulation& mesh, const MetricScale& scale,
                           const std::vector<std::uint8_t>& stays, CollapseLog* log) {
   mesh_ = &mesh;
   log_ = log;
@@ -56,7 +56,7 @@ void EdgeCollapser::reset(Triangulation& mesh, const Scale& scale,
                        (vertex.corner.v - middle) * scale.north, vertex.corner.height});
   vertices_ = points_.size();
   errorSum_ = errorRest_ = 0;
-  largestMean_ = std::numeric_limits<double>::infinity();
+  largestError_ = std::numeric_limits<double>::infinity();
   addQuadrics();
   heap_.reset(ranks(mesh));
   target_.assign(points_.size(), Triangulation::kNone);
@@ -130,11 +130,6 @@ bool EdgeCollapser::seesRing(std::size_t m) const {
   return true;
 }
 
-bool EdgeCollapser::isAllowed(std::int32_t v, const Neighbour& neighbour) const {
-  const double planes = quadric(v).planes + quadric(neighbour.vertex).planes;
-  return neighbour.cost <= largestMean_ * planes;
-}
-
 /// Finds the best neighbour to move a vertex onto.
 void EdgeCollapser::evaluate(std::int32_t v) {
   if (stays_[std::size_t(v)])
@@ -148,7 +143,9 @@ void EdgeCollapser::evaluate(std::int32_t v) {
   std::make_heap(order_.begin(), order_.end(), isWorse);
   for (; !order_.empty(); order_.pop_back()) {
     const auto best = std::size_t(order_.front());
-    if (isAllowed(v, ring_[best]) && seesRing(best)) {
+    if (ring_[best].cost > largestError_)
+      break;
+    if (seesRing(best)) {
       target_[std::size_t(v)] = ring_[best].vertex;
       heap_.set(v, ring_[best].cost);
       return;

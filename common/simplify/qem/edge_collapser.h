@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "geo/vec3.h"
+#include "simplify/metric_scale.h"
 #include "simplify/qem/collapse_log.h"
 #include "simplify/qem/quadric.h"
 #include "simplify/qem/vertex_heap.h"
@@ -21,20 +22,13 @@ namespace qmesh {
 /// top of the heap (Cohen et al. 1997 call it lazy evaluation): they hardly ever fall.
 class EdgeCollapser {
  public:
-  /// Metres for one unit of u and of v; heights are metres already.
-  struct Scale {
-    double east = 1;
-    double north = 1;
-  };
-
   /// Begins with a mesh. `stays[v]` != 0: vertex v never goes; those on the square's edges must.
   /// REQUIRES: the mesh lives as long and nobody else changes it; a `log`, if not null, is cleared.
-  void reset(Triangulation& mesh, const Scale& scale, const std::vector<std::uint8_t>& stays,
+  void reset(Triangulation& mesh, const MetricScale& scale, const std::vector<std::uint8_t>& stays,
              CollapseLog* log = nullptr);
 
-  /// From now on no collapse leaves a vertex with planes farther away than this, as the root of the
-  /// mean square of its distances to them, metres. DEFAULT: any distance.
-  void setLargestDistance(double metres) { largestMean_ = metres * metres; }
+  /// From now on no collapse costs more than this, square metres. DEFAULT: no limit.
+  void setLargestError(double error) { largestError_ = error; }
 
   /// Vertices of the mesh as it is.
   std::size_t vertices() const { return vertices_; }
@@ -73,7 +67,6 @@ class EdgeCollapser {
   };
 
   void addQuadrics();
-  bool isAllowed(std::int32_t v, const Neighbour& neighbour) const;
   void evaluate(std::int32_t v);
   void readRing(std::int32_t v);
   void touch(std::int32_t v, std::int32_t target);
@@ -93,8 +86,8 @@ class EdgeCollapser {
   std::vector<std::int32_t> target_; ///< by vertex in the heap: the cheapest; kNone: to be found
   VertexHeap heap_;
   std::size_t vertices_ = 0;
-  double largestMean_ = std::numeric_limits<double>::infinity(); ///< square metres
-  double errorSum_ = 0, errorRest_ = 0;                          ///< of meanError, compensated
+  double largestError_ = std::numeric_limits<double>::infinity();
+  double errorSum_ = 0, errorRest_ = 0; ///< of meanError, compensated
   std::vector<std::int32_t> star_;
   std::vector<Neighbour> ring_;
   std::vector<std::int32_t> order_; ///< of the ring, as a heap: the best in front

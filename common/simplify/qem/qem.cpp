@@ -2,10 +2,10 @@
 // Copyright (c) 2026 the qmesh authors
 #include <limits>
 
-#include "geo/ellipsoid.h"
 #include "options/level_spec.h"
 #include "simplify/finish.h"
 #include "simplify/methods.h"
+#include "simplify/metric_scale.h"
 #include "simplify/node_mesh.h"
 #include "simplify/qem/edge_collapser.h"
 
@@ -17,20 +17,9 @@ namespace {
 /// there are about as many triangles as greedy makes (docs/algorithms/qem.md).
 constexpr double kSvoPerMaxError = 0.6;
 
-/// No vertex may be farther from what it stands for than so many smallest visible objects: else a
-/// few cliffs would use up the mean of all others.
-constexpr double kLargestPerSvo = 3;
-
-/// The tile in metres around its middle, where it is flat enough: a degree of longitude is as long
-/// there as on the middle parallel.
-EdgeCollapser::Scale metricScale(const HeightTile& tile) {
-  const GeoBox box = tile.lattice().scheme().box(tile.id());
-  const double latitude = (box.south + box.north) / 2;
-  const double degreesEast = (box.east - box.west) / kQuantizedMax;
-  const double degreesNorth = (box.north - box.south) / kQuantizedMax;
-  return {degreesEast * wgs84::metresPerDegreeEast(latitude),
-          degreesNorth * wgs84::metresPerDegreeNorth(latitude)};
-}
+/// No collapse may cost more than the square of so many smallest visible objects: else a few
+/// cliffs, whose vertices stand for many level planes as well, vanish in the mean.
+constexpr double kLargestPerSvo = 16;
 
 /// Garland & Heckbert, "Surface simplification using quadric error metrics" (1997), on the grid of
 /// all nodes; stops as Ai et al., "Continuous-scale 3D terrain visualization based on a
@@ -91,7 +80,8 @@ Status Qem::simplify(const HeightTile& tile, const TileFrame& frame, const Borde
   nodes_.resetToAllNodes(tile, frame, border);
   markStaying(frame.cells() / level.baseGrid);
   collapser_.reset(nodes_.triangulation(), metricScale(tile), stays_);
-  collapser_.setLargestDistance(kLargestPerSvo * stop->svo);
+  const double largest = kLargestPerSvo * stop->svo;
+  collapser_.setLargestError(largest * largest);
   while (collapser_.vertices() > stop->vertices && collapser_.findNext() &&
          collapser_.nextSvo() <= stop->svo)
     collapser_.collapse();
