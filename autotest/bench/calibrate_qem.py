@@ -6,7 +6,7 @@
 How the defaults of methods were found whose parameter is no max error: each DEM is meshed by greedy with its defaults
 and by the method with its parameter at some multiples of every zoom's max error.
 
-    calibrate_qem.py --data FOLDER [--method qem] [--option svo] [--factors 0.5,0.6,0.7]
+    calibrate_qem.py --data FOLDER [--method qem] [--option svo] [--factors 0.5,0.65,0.8]
 """
 
 import argparse
@@ -38,7 +38,7 @@ def main():
     parser.add_argument("--data", type=pathlib.Path, required=True, help="folder of the DEMs")
     parser.add_argument("--method", default="qem")
     parser.add_argument("--option", default="svo")
-    parser.add_argument("--factors", default="0.5,0.6,0.7")
+    parser.add_argument("--factors", default="0.5,0.65,0.8")
     arguments = parser.parse_args()
     print("| DEM, zooms | parameter / max error | triangles / greedy's, by zoom | rms error / greedy's | "
           "largest error / max error |")

@@ -56,7 +56,6 @@ void EdgeCollapser::reset(Triangulation& mesh, const MetricScale& scale,
                        (vertex.corner.v - middle) * scale.north, vertex.corner.height});
   vertices_ = points_.size();
   errorSum_ = errorRest_ = 0;
-  largestError_ = std::numeric_limits<double>::infinity();
   addQuadrics();
   heap_.reset(ranks(mesh));
   target_.assign(points_.size(), Triangulation::kNone);
@@ -143,8 +142,6 @@ void EdgeCollapser::evaluate(std::int32_t v) {
   std::make_heap(order_.begin(), order_.end(), isWorse);
   for (; !order_.empty(); order_.pop_back()) {
     const auto best = std::size_t(order_.front());
-    if (ring_[best].cost > largestError_)
-      break;
     if (seesRing(best)) {
       target_[std::size_t(v)] = ring_[best].vertex;
       heap_.set(v, ring_[best].cost);

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
 #include <vector>
 
 #include "geo/vec3.h"
@@ -26,9 +25,6 @@ class EdgeCollapser {
   /// REQUIRES: the mesh lives as long and nobody else changes it; a `log`, if not null, is cleared.
   void reset(Triangulation& mesh, const MetricScale& scale, const std::vector<std::uint8_t>& stays,
              CollapseLog* log = nullptr);
-
-  /// From now on no collapse costs more than this, square metres. DEFAULT: no limit.
-  void setLargestError(double error) { largestError_ = error; }
 
   /// Vertices of the mesh as it is.
   std::size_t vertices() const { return vertices_; }
@@ -86,7 +82,6 @@ class EdgeCollapser {
   std::vector<std::int32_t> target_; ///< by vertex in the heap: the cheapest; kNone: to be found
   VertexHeap heap_;
   std::size_t vertices_ = 0;
-  double largestError_ = std::numeric_limits<double>::infinity();
   double errorSum_ = 0, errorRest_ = 0; ///< of meanError, compensated
   std::vector<std::int32_t> star_;
   std::vector<Neighbour> ring_;

@@ -15,11 +15,7 @@ namespace {
 
 /// Where nothing is asked for: the smallest visible object in max errors of the level, so that
 /// there are about as many triangles as greedy makes (docs/algorithms/qem.md).
-constexpr double kSvoPerMaxError = 0.6;
-
-/// No collapse may cost more than the square of so many smallest visible objects: else a few
-/// cliffs, whose vertices stand for many level planes as well, vanish in the mean.
-constexpr double kLargestPerSvo = 16;
+constexpr double kSvoPerMaxError = 0.65;
 
 /// Garland & Heckbert, "Surface simplification using quadric error metrics" (1997), on the grid of
 /// all nodes; stops as Ai et al., "Continuous-scale 3D terrain visualization based on a
@@ -80,8 +76,6 @@ Status Qem::simplify(const HeightTile& tile, const TileFrame& frame, const Borde
   nodes_.resetToAllNodes(tile, frame, border);
   markStaying(frame.cells() / level.baseGrid);
   collapser_.reset(nodes_.triangulation(), metricScale(tile), stays_);
-  const double largest = kLargestPerSvo * stop->svo;
-  collapser_.setLargestError(largest * largest);
   while (collapser_.vertices() > stop->vertices && collapser_.findNext() &&
          collapser_.nextSvo() <= stop->svo)
     collapser_.collapse();
