@@ -169,8 +169,10 @@ stage count_pytest "driver" 10 "${pytest[@]}" autotest/driver
 if [ "$mode" != quick ]; then
   stage count_none "node packages" 10 node_packages &&
     stage count_pytest "clients" 15 "${pytest[@]}" autotest/clients
-  stage count_none "man page packages" 10 qmesh_install "${QMESH_DOCS_PACKAGES[@]}" &&
-    stage count_pytest "install" 10 /usr/bin/python3 -m pytest -rs -q -p no:cacheprovider autotest/install
+  stage count_none "documentation packages" 10 \
+    qmesh_install "${QMESH_DOCS_PACKAGES[@]}" "${QMESH_DOCS_TEST_PACKAGES[@]}" &&
+    stage count_pytest "documentation" 15 /usr/bin/python3 -m pytest -rs -q -p no:cacheprovider autotest/docs
+  stage count_pytest "install" 10 /usr/bin/python3 -m pytest -rs -q -p no:cacheprovider autotest/install
   stage count_none "QGIS packages" 10 qmesh_install "${QMESH_QGIS_PACKAGES[@]}" &&
     stage count_pytest "QGIS" 10 /usr/bin/python3 -m pytest -rs -q -p no:cacheprovider autotest/qgis
   stage count_one "newest GDAL headers" 8 autotest/driver/newest_gdal.sh

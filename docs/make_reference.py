@@ -40,11 +40,15 @@ def switches(row):
     return f"`{cell(', '.join(names) + value)}`"
 
 
+def number(value):
+    return str(int(value)) if value == int(value) else f"{value:g}"
+
+
 def value_range(row):
     if "minimum" not in row or row.get("choices"):
         return row.get("unit", "")
-    high = f" to {row['maximum']:g}" if "maximum" in row else " or more"
-    return f"{row['minimum']:g}{high} {row.get('unit', '')}".strip()
+    high = f" to {number(row['maximum'])}" if "maximum" in row else " or more"
+    return f"{number(row['minimum'])}{high} {row.get('unit', '')}".strip()
 
 
 def meaning(row):
@@ -64,17 +68,34 @@ def default(row):
     return "" if value else cell(row.get("whenUnset", ""))
 
 
-def options_page(program):
+def option_groups(program):
+    """The groups that have options, each with its rows."""
     said = json.loads(said_by(program, "--options-json"))
-    lines = []
     for group in said["groups"]:
         rows = [row for row in said["options"] if row["group"] == group["name"]]
-        if not rows:
-            continue
-        lines += [f"### {group['name']}: options", "", group["help"][0].upper() + group["help"][1:] + ".", ""]
+        if rows:
+            yield group, rows
+
+
+def options_table(program):
+    """Without headings: Sphinx would take them out of the part that is for HTML only."""
+    lines = []
+    for group, rows in option_groups(program):
+        lines += [f"**{group['name']}**: {group['help']}.", ""]
         lines += ["| option | meaning | default |", "|---|---|---|"]
         lines += [f"| {switches(row)} | {meaning(row)} | {default(row)} |" for row in rows]
         lines.append("")
+    return "\n".join(lines)
+
+
+def options_list(program):
+    """The same as a list of definitions, for the man page: a terminal is too narrow for the table."""
+    lines = []
+    for group, rows in option_groups(program):
+        lines += [f"**{group['name']}**: {group['help']}.", ""]
+        for row in rows:
+            value = default(row)
+            lines += [switches(row).replace("\\|", "|"), f": {meaning(row)}{f' Default: {value}.' if value else ''}", ""]
     return "\n".join(lines)
 
 
@@ -114,8 +135,10 @@ VALUES = {"boolean": "`YES`, `NO`", "int": "whole number", "float": "number", "s
 PAGES = {
     "creation-options.md": lambda: driver_options("CreationOptionList"),
     "open-options.md": lambda: driver_options("OpenOptionList"),
-    "options-gdal2qmesh.md": lambda: options_page("gdal2qmesh"),
-    "options-qmeshinfo.md": lambda: options_page("qmeshinfo"),
+    "options-gdal2qmesh.md": lambda: options_table("gdal2qmesh"),
+    "options-gdal2qmesh-list.md": lambda: options_list("gdal2qmesh"),
+    "options-qmeshinfo.md": lambda: options_table("qmeshinfo"),
+    "options-qmeshinfo-list.md": lambda: options_list("qmeshinfo"),
     "findings.md": findings_page,
 }
 
