@@ -43,6 +43,20 @@ TEST(Ellipsoid, PositionFollowsFromTheSurfaceAndItsNormal) {
   }
 }
 
+TEST(Ellipsoid, GeodeticIsTheInverse) {
+  for (const double latitude : {-90.0, -89.999, -45.0, 0.0, 1e-9, 12.5, 60.0, 89.0, 90.0}) {
+    for (const double longitude : {-179.5, -90.0, 0.0, 33.0, 180.0}) {
+      for (const double height : {-11000.0, 0.0, 8848.0, 5e6}) {
+        const wgs84::Geodetic found = wgs84::fromEcef(wgs84::toEcef(longitude, latitude, height));
+        const bool pole = std::abs(latitude) == 90;
+        EXPECT_NEAR(found.latitudeDegrees, latitude, 1e-9);
+        EXPECT_NEAR(pole ? longitude : found.longitudeDegrees, longitude, 1e-9);
+        EXPECT_NEAR(found.heightMetres, height, 0.001) << latitude;
+      }
+    }
+  }
+}
+
 TEST(Ellipsoid, MetresPerDegreeAreTheSpeedOfThePosition) {
   for (double lat = -89; lat <= 89; lat += 8.9) {
     const double d = 1e-4;

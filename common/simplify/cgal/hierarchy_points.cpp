@@ -2,6 +2,7 @@
 // Copyright (c) 2026 the qmesh authors
 #include <algorithm>
 
+#include <CGAL/Diagonalize_traits.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/hierarchy_simplify_point_set.h>
 
@@ -29,20 +30,22 @@ class HierarchyPoints final : public PointSetMethod {
  protected:
   void choose(const PointSetSite& site, std::vector<NodePoint>& points) override {
     const int zoom = site.level.zoom;
-    const double size =
-        std::clamp(clusterSize_.at(zoom, kHalfFull / site.share()), 1.0, kLargestCluster);
-    const double variance =
-        std::clamp(maxVariance_.at(zoom, kLargestVariance), kLeastVariance, kLargestVariance);
-    points.erase(
-        CGAL::hierarchy_simplify_point_set(points, CGAL::parameters::point_map(PositionMap())
-                                                       .size(unsigned(size))
-                                                       .maximum_variation(variance)),
-        points.end());
+    const double size = clusterSize_.at(zoom, kSizeOfShare / site.share());
+    const double variance = maxVariance_.at(zoom, kVarianceOfError * site.relativeError());
+    const auto parameters =
+        CGAL::parameters::point_map(PositionMap())
+            .size(unsigned(std::clamp(size, 1.0, kLargestCluster)))
+            .maximum_variation(std::clamp(variance, kLeastVariance, kLargestVariance))
+            .diagonalize_traits(CGAL::Diagonalize_traits<double, 3>());
+    points.erase(CGAL::hierarchy_simplify_point_set(points, parameters), points.end());
   }
 
  private:
-  /// A cluster's size limit over the mean size of the clusters it leads to.
-  static constexpr double kHalfFull = 1.4;
+  /// Clusters end at half their limit to all of it, 1 / 1.4 of it as a mean; with twice that limit
+  /// half of the points come from it, and on ordinary terrain the others from the variation.
+  static constexpr double kSizeOfShare = 2.8;
+  /// By experiment: rough terrain gets more points than greedy gives it, smooth terrain fewer.
+  static constexpr double kVarianceOfError = 8;
 
   LevelValue clusterSize_;
   LevelValue maxVariance_;

@@ -62,11 +62,14 @@ double LevelValue::at(int zoom, double otherwise) const {
   return value.ok() ? *value : otherwise;
 }
 
+double PointSetSite::relativeError() const {
+  constexpr double kWidestRelief = 40000; // metres
+  return level.maxError / std::min(tile.lattice().scheme().tileMetres(level.zoom), kWidestRelief);
+}
+
 double PointSetSite::share() const {
-  constexpr double kWidestRelief = 40000; // metres: mountains do not grow with the tile beyond it
   const double inner = tile.cells() - 1.0;
-  const double size = std::min(tile.lattice().scheme().tileMetres(level.zoom), kWidestRelief);
-  return 1 / (1 + inner * inner * level.maxError / size);
+  return 1 / (1 + inner * inner * relativeError());
 }
 
 double PointSetSite::area() const {

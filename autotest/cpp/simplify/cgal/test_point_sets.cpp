@@ -5,9 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include "../simplified.h"
 #include "mesh/check.h"
 #include "mesh/error_measure.h"
-#include "simplified.h"
 
 namespace qmesh {
 namespace {
@@ -85,6 +85,97 @@ TEST(PointSets, AFlatTileOfEqualPointsWorks) {
     const Simplified made = run(patch.tile(), place.level(0.5), method);
     expectPromises(made, patch.tile());
     EXPECT_LE(made.tin.maxError, place.level(0.5).borderRounding());
+  }
+}
+
+/// Flat, 9 x 9 nodes, no curvature grid.
+struct Drawn {
+  Place place;
+  TerrainPatch patch{place.lattice(), place.id(), 1, 1, Terrain::flat, 1};
+  LevelParams level = place.level(0.5);
+
+  explicit Drawn(const Place& at) : place(at) { level.baseGrid = 1; }
+  std::set<std::pair<int, int>> inner(const char* method, const MethodOptions& options) const {
+    return innerNodes(run(patch.tile(), level, method, options));
+  }
+};
+
+//  7  . . . . | . . .     Where the equator meets the prime meridian a grid in space is one in
+//  5  . . . . | . . .     longitude and latitude: cubes of a bit more than four nodes hold the
+//     --------+------     columns (and rows) 1-4 and 5-7. One node of each stays.
+//  4  . . . . | . . .
+//  1  . . . . | . . .
+TEST(PointSets, GridKeepsOneNodeACube) {
+  const Drawn drawn(Place{Profile::geodetic, 14, 16384, 8192, 8});
+  MethodOptions options;
+  options.cellSize = std::to_string(drawn.place.lattice().scheme().tileMetres(14) / 8 * 4.2);
+  std::set<std::pair<bool, bool>> cubes;
+  const auto inner = drawn.inner("grid", options);
+  for (const auto& [i, j] : inner)
+    cubes.insert({i > 4, j > 4});
+  EXPECT_EQ(inner.size(), 4u);
+  EXPECT_EQ(cubes.size(), 4u);
+}
+
+//  At 60 degrees north the 7 x 7 inner nodes are twice as high as wide: the first cut is across,
+//  and of both halves the node in the middle stays.
+TEST(PointSets, HierarchyCutsTheLongAxisAndKeepsTheMiddle) {
+  const Drawn drawn(Place{Profile::geodetic, 14, 16384, 13653, 8});
+  MethodOptions options;
+  options.clusterSize = "30";
+  options.maxVariance = "0.3";
+  const auto inner = drawn.inner("hierarchy", options);
+  ASSERT_EQ(inner.size(), 2u);
+  EXPECT_EQ(inner.begin()->first, 4);
+  EXPECT_EQ(inner.rbegin()->first, 4);
+  EXPECT_LE(inner.begin()->second, 3);
+  EXPECT_GE(inner.rbegin()->second, 5);
+}
+
+/// The square of the smallest distance of two nodes, in cells.
+int closest(const std::set<std::pair<int, int>>& nodes) {
+  int best = 1 << 30;
+  for (auto a = nodes.begin(); a != nodes.end(); ++a) {
+    for (auto b = nodes.begin(); b != a; ++b) {
+      const int di = a->first - b->first, dj = a->second - b->second;
+      best = std::min(best, di * di + dj * dj);
+    }
+  }
+  return best;
+}
+
+TEST(PointSets, WlopSpreadsWhatRandomLeavesInHeaps) {
+  const Drawn drawn(Place{Profile::geodetic, 14, 16384, 8192, 64});
+  MethodOptions options;
+  options.randomPercent = "98";
+  options.retainPercent = "2";
+  EXPECT_LE(closest(drawn.inner("random", options)), 2);
+  const auto spread = drawn.inner("wlop", options);
+  EXPECT_GE(spread.size(), 75u);
+  EXPECT_GE(closest(spread), 9);
+}
+
+TEST(PointSets, TheOrderOfATileIsItsOwn) {
+  const Drawn here(Place{Profile::geodetic, 14, 100, 8192, 16});
+  const Drawn there(Place{Profile::geodetic, 14, 101, 8192, 16});
+  MethodOptions options;
+  options.randomPercent = "80";
+  EXPECT_NE(here.inner("random", options), there.inner("random", options));
+}
+
+TEST(PointSets, TheLargestTileTakesSeconds) {
+  const Place place{Profile::geodetic, 10, 900, 300, 1024};
+  LevelParams level = place.level(60);
+  level.baseGrid = 8;
+  for (const Terrain terrain : {Terrain::ridged, Terrain::steps}) {
+    const TerrainPatch patch(place.lattice(), place.id(), 1, 1, terrain, 21);
+    SCOPED_TRACE(name(terrain));
+    expectPromises(run(patch.tile(), level, "random"), patch.tile());
+  }
+  const TerrainPatch patch(place.lattice(), place.id(), 1, 1, Terrain::ridged, 21);
+  for (const char* method : {"grid", "hierarchy"}) {
+    SCOPED_TRACE(method);
+    expectPromises(run(patch.tile(), level, method), patch.tile());
   }
 }
 
