@@ -15,6 +15,7 @@
 #include "options/creation_options.h"
 #include "options/validate.h"
 #include "qmesh_errors.h"
+#include "qmesh_files.h"
 #include "qmesh_identify.h"
 
 namespace
@@ -109,7 +110,8 @@ Status CheckOutput(qmesh::BuildOptions &oOptions)
 {
     if (oOptions.output.empty())
         return {Code::usage, "the output has no name; name a folder"};
-    oOptions.overwrite = qmesh::isTerrainSet(oOptions.output);
+    oOptions.overwrite =
+        qmesh::isTerrainSet(oOptions.output) || QMESHHasJustDeleted(oOptions.output);
     if (!oOptions.overwrite && qmesh::isFolder(oOptions.output) &&
         qmesh::holdsFiles(oOptions.output))
         return {Code::output, "'" + oOptions.output +

@@ -12,6 +12,9 @@
 namespace
 {
 
+/// See QMESHHasJustDeleted().
+thread_local std::string osLastDeleted; // NOLINT
+
 CPLErr Finish(const qmesh::Status &oStatus)
 {
     if (oStatus.ok())
@@ -31,11 +34,21 @@ bool IsTile(const char *pszName)
 CPLErr QMESHDelete(const char *pszName)
 {
     if (!IsTile(pszName))
-        return Finish(qmesh::deleteSet(QMESHFolderOf(pszName)));
+    {
+        const std::string osFolder = QMESHFolderOf(pszName);
+        const qmesh::Status oStatus = qmesh::deleteSet(osFolder);
+        osLastDeleted = oStatus.ok() ? osFolder : "";
+        return Finish(oStatus);
+    }
     if (VSIUnlink(QMESHStripPrefix(pszName).c_str()) == 0)
         return CE_None;
     CPLError(CE_Failure, CPLE_FileIO, "QMESH: '%s' cannot be removed", pszName);
     return CE_Failure;
+}
+
+bool QMESHHasJustDeleted(const std::string &osFolder)
+{
+    return !osFolder.empty() && osFolder == osLastDeleted;
 }
 
 CPLErr QMESHRename(const char *pszNewName, const char *pszOldName)

@@ -65,7 +65,6 @@ def sources(folder, path):
     """Kinds of source that all hold the pixels of the GeoTIFF at `path`: name -> function that opens it."""
     gdal.Translate(folder + "/copy.tif", path)
     gdal.BuildVRT(folder + "/mosaic.vrt", [path]).FlushCache()
-    gdal.Translate(folder + "/with_overviews.tif", path).BuildOverviews("NEAREST", [2])
     gdal.Warp(folder + "/warped.vrt", path, format="VRT", resampleAlg="near").FlushCache()
 
     def unlinked():
@@ -152,6 +151,24 @@ def test_open_options_of_the_source_count(qmesh, vsimem):
     copied = gdal.GetDriverByName("MEM").CreateCopy("", opened)
     qmesh.CreateCopy(vsimem + "/copied", copied, options=SMALL)
     assert tiles(vsimem + "/overview") == tiles(vsimem + "/copied")
+
+
+def test_overviews_of_the_source_are_used_as_the_command_does(qmesh, tmp_path):
+    """Zooms much coarser than the cells read an overview: also one that holds other heights."""
+    path = str(tmp_path / "dem.tif")
+    gdal.Translate(path, hilly(512, 512, transform=(10.0, 0.001, 0, 47.0, 0, -0.001)))
+    options, words = ["TILESIZE=32", "MAX_ZOOM=5"], ["--tilesize", "32", "--max-zoom", "5"]
+    trees = {}
+    for levels in ([], [2, 4, 8, 16]):
+        if levels:
+            opened = gdal.Open(path, gdal.GA_Update)
+            opened.BuildOverviews("NEAREST", levels)
+            opened = None
+        qmesh.CreateCopy(str(tmp_path / f"driver{len(levels)}"), gdal.Open(path), options=options)
+        harness.gdal2qmesh(*words, path, tmp_path / f"command{len(levels)}").succeeded()
+        trees[len(levels)] = tree(tmp_path / f"driver{len(levels)}")
+        assert trees[len(levels)] == command_tree(tmp_path / f"command{len(levels)}")
+    assert trees[0] != trees[4], "no overview was read, so this shows nothing"
 
 
 @pytest.mark.parametrize("kind", ["Byte", "UInt16", "Int16", "UInt32", "Int32", "Float32", "Float64"])

@@ -104,6 +104,20 @@ def test_delete_takes_the_preview_page_of_the_command(qmesh, dem, tmp_path):
     assert list(tmp_path.iterdir()) == []
 
 
+def test_as_newer_gdal_replaces_a_set(qmesh, place):
+    """GDAL 3.11 deletes a set before it has the driver write the new one; foreign files are in the folder then."""
+    new_set(qmesh, place + "/set")
+    write_file(place + "/set/notes.txt", b"mine")
+    assert qmesh.Delete(place + "/set") == gdal.CE_None
+    expected = new_set(qmesh, place + "/expected", seed=3)
+    again = new_set(qmesh, place + "/set", seed=3)
+    assert set(again) - set(expected) == {"notes.txt"} and {n: again[n] for n in expected} == expected
+    assert qmesh.Delete(place + "/expected") == gdal.CE_None  # and that holds for that folder only
+    gdal.MkdirRecursive(place + "/full", 0o755)
+    write_file(place + "/full/notes.txt", b"mine")
+    refused(lambda: qmesh.CreateCopy(place + "/full", hilly(), options=OPTIONS), "not empty")
+
+
 def test_delete_refuses_what_is_no_set(qmesh, place):
     gdal.MkdirRecursive(place + "/full/0/0", 0o755)
     write_file(place + "/full/0/0/0.terrain", b"x")

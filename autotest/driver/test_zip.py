@@ -59,11 +59,11 @@ def test_an_archive_is_replaced_only_if_it_holds_just_that_set(qmesh, tmp_path):
     with zipfile.ZipFile(tmp_path / "a.zip", "a") as archive:
         archive.writestr("notes.txt", "mine")
     before = (tmp_path / "a.zip").read_bytes()
-    refused(lambda: qmesh.CreateCopy(place, hilly(), options=SMALL), "other files", number=gdal.CPLE_FileIO)
-    refused(lambda: qmesh.CreateCopy(place + "/sub", hilly(), options=SMALL), "a.zip")
+    refused(lambda: qmesh.CreateCopy(place, hilly(), options=SMALL), "not an archive of one set", number=gdal.CPLE_FileIO)
+    refused(lambda: qmesh.CreateCopy(place + "/sub", hilly(), options=SMALL), "not an archive of one set")
     assert (tmp_path / "a.zip").read_bytes() == before
     write_file(str(tmp_path / "b.zip"), b"no archive at all")
-    refused(lambda: qmesh.CreateCopy(f"/vsizip/{tmp_path}/b.zip", hilly(), options=SMALL), "b.zip")
+    refused(lambda: qmesh.CreateCopy(f"/vsizip/{tmp_path}/b.zip", hilly(), options=SMALL), "b.zip", "not an archive")
     assert (tmp_path / "b.zip").read_bytes() == b"no archive at all"
 
 

@@ -152,13 +152,13 @@ class ZipSink : public TileSink {
 
 Status ZipSink::open(bool overwrite) {
   if (pathExists(name_.archive)) {
+    if (!holdsOneSet(name_))
+      return {Code::output, "the file '" + name_.archive +
+                                "' exists and is not an archive of one set in that place; name "
+                                "another one"};
     if (!overwrite)
       return {Code::output,
               "the archive '" + name_.archive + "' exists; --overwrite replaces the set in it"};
-    if (!holdsOneSet(name_))
-      return {Code::output, "the archive '" + name_.archive +
-                                "' holds other files than a set in that place; name another "
-                                "archive"};
   }
   QMESH_RETURN_IF_ERROR(makeFolders(work_, &made_));
   QMESH_RETURN_IF_ERROR(lock_.acquire(work_ + "/" + kLockFileName));
