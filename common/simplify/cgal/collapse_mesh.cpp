@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "simplify/grid_strips.h"
+
 namespace qmesh {
 
 void VertexRounding::reset(const HeightTile& tile, const TileFrame& frame) {
@@ -16,12 +18,13 @@ CollapseVertex VertexRounding::make(int u, int v, std::uint16_t q, Mobility mobi
   CollapseVertex vertex;
   vertex.q = q;
   vertex.mobility = mobility;
+  vertex.i = std::uint16_t(frame_->nearestColumn(std::uint16_t(u)));
+  vertex.j = std::uint16_t(frame_->nearestRow(std::uint16_t(v)));
   vertex.corner.u = u;
   vertex.corner.v = v;
   vertex.corner.column = spanColumn(u, frame_->cells());
   vertex.corner.height = frame_->decode(q) - frame_->minHeight();
-  const int row = frame_->nearestRow(std::uint16_t(v));
-  vertex.corner.row = row + (frame_->nodeV(row) < v ? 1 : 0);
+  vertex.corner.row = vertex.j + (frame_->nodeV(vertex.j) < v ? 1 : 0);
   return vertex;
 }
 
@@ -59,20 +62,19 @@ struct EdgePlace {
 class StartMesh {
  public:
   StartMesh(const HeightTile& tile, const TileFrame& frame, const Border& border,
-            const LevelParams& level, CollapseMesh& mesh)
-      : tile_(tile), frame_(frame), border_(border), level_(level), mesh_(mesh), n_(tile.cells()) {
+            const LevelParams& level)
+      : tile_(tile), frame_(frame), border_(border), level_(level), n_(tile.cells()), grid_(n_) {
     rounding_.reset(tile, frame);
   }
 
-  void make() {
-    mesh_.vertices.clear();
-    mesh_.triangles.clear();
+  void make(CollapseMesh& mesh) {
     addInnerNodes();
-    corners_ = std::uint32_t(mesh_.vertices.size());
-    for (int k = 0; k < 4; ++k)
-      addNode(k & 1 ? n_ : 0, k & 2 ? n_ : 0, Mobility::fixed);
-    for (const Edge edge : {kWest, kSouth, kEast, kNorth})
-      addStrip(edge);
+    for (const Edge edge : {kSouth, kEast, kNorth, kWest}) // as GridWithStrips wants them
+      addEdge(edge);
+    mesh.vertices.clear();
+    for (std::size_t k = 0; k < grid_.vertices.size(); ++k)
+      mesh.vertices.push_back({grid_.vertices[k], mobility_[k]});
+    mesh.triangles.swap(grid_.triangles);
   }
 
  private:
@@ -89,20 +91,10 @@ class StartMesh {
   double vertexHeight(Edge edge, int node) const {
     return frame_.decode(frame_.quantizeBorder(height(edge, node)));
   }
-  std::uint32_t inner(int i, int j) const { return std::uint32_t((j - 1) * (n_ - 1) + i - 1); }
-  std::uint32_t corner(Edge edge, bool end) const {
-    const std::uint32_t first = edge == kEast ? 1 : edge == kNorth ? 2 : 0;
-    return corners_ + first + (end ? (alongRow(edge) ? 1 : 2) : 0);
-  }
-
-  void addNode(int i, int j, Mobility mobility) {
-    mesh_.vertices.push_back(rounding_.node(i, j, frame_.u(i), frame_.v(j), mobility));
-  }
 
   void addInnerNodes();
-  void addEdgeVertex(Edge edge, const EdgePlace& vertex);
-  void addStrip(Edge edge);
-  void addTriangle(Edge edge, std::uint32_t a, std::uint32_t b, std::uint32_t c);
+  void addEdge(Edge edge);
+  NodeVertex edgeVertex(Edge edge, const EdgePlace& vertex) const;
   std::vector<EdgePlace> placesOf(Edge edge) const;
   std::vector<EdgePlace> freePlaces(Edge edge) const;
   void addPrescribed(const Border& border, Edge edge, std::vector<EdgePlace>& places) const;
@@ -111,33 +103,22 @@ class StartMesh {
   const TileFrame& frame_;
   const Border& border_;
   const LevelParams& level_;
-  CollapseMesh& mesh_;
   VertexRounding rounding_;
   int n_;
-  std::uint32_t corners_ = 0; ///< south-west, south-east, north-west, north-east
+  GridWithStrips grid_;
+  std::vector<Mobility> mobility_; ///< of the grid's vertices
 };
 
 void StartMesh::addInnerNodes() {
   const int kept = n_ / level_.baseGrid;
   for (int j = 1; j < n_; ++j) {
-    for (int i = 1; i < n_; ++i)
-      addNode(i, j, i % kept == 0 && j % kept == 0 ? Mobility::fixed : Mobility::inner);
-  }
-  for (int j = 1; j + 1 < n_; ++j) {
-    for (int i = 1; i + 1 < n_; ++i) {
-      const std::uint32_t sw = inner(i, j), se = inner(i + 1, j);
-      const std::uint32_t nw = inner(i, j + 1), ne = inner(i + 1, j + 1);
-      const float rising = std::abs(tile_.at(i + 1, j + 1) - tile_.at(i, j));
-      const float falling = std::abs(tile_.at(i, j + 1) - tile_.at(i + 1, j));
-      if (rising <= falling) {
-        mesh_.triangles.push_back({sw, se, ne});
-        mesh_.triangles.push_back({sw, ne, nw});
-      } else {
-        mesh_.triangles.push_back({sw, se, nw});
-        mesh_.triangles.push_back({se, ne, nw});
-      }
+    for (int i = 1; i < n_; ++i) {
+      const bool isKept = i % kept == 0 && j % kept == 0;
+      mobility_.push_back(isKept ? Mobility::fixed : Mobility::inner);
+      grid_.vertices.push_back(rounding_.node(i, j, frame_.u(i), frame_.v(j), mobility_.back()));
     }
   }
+  grid_.addCells();
 }
 
 void StartMesh::addPrescribed(const Border& border, Edge edge,
@@ -189,58 +170,33 @@ std::vector<EdgePlace> StartMesh::freePlaces(Edge edge) const {
   return places;
 }
 
-void StartMesh::addEdgeVertex(Edge edge, const EdgePlace& vertex) {
+NodeVertex StartMesh::edgeVertex(Edge edge, const EdgePlace& vertex) const {
   const int across = isFar(edge) ? kQuantizedMax : 0, line = isFar(edge) ? n_ : 0;
-  mesh_.vertices.push_back(
-      alongRow(edge) ? rounding_.node(vertex.node, line, vertex.place, across, vertex.mobility)
-                     : rounding_.node(line, vertex.node, across, vertex.place, vertex.mobility));
+  return alongRow(edge) ? rounding_.node(vertex.node, line, vertex.place, across, vertex.mobility)
+                        : rounding_.node(line, vertex.node, across, vertex.place, vertex.mobility);
 }
 
-/// A triangle given in the order that is counter-clockwise at the south edge.
-void StartMesh::addTriangle(Edge edge, std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-  const bool turned = edge == kNorth || edge == kWest;
-  mesh_.triangles.push_back(turned ? TinTriangle{a, c, b} : TinTriangle{a, b, c});
-}
-
-/// Triangles between the vertices of an edge and the first line of inner nodes, each step on the
-/// side whose next piece has its middle first.
-void StartMesh::addStrip(Edge edge) {
-  std::vector<std::uint32_t> outer, line;
-  const std::vector<EdgePlace> places = placesOf(edge);
-  outer.push_back(corner(edge, false));
-  for (std::size_t k = 1; k + 1 < places.size(); ++k) {
-    outer.push_back(std::uint32_t(mesh_.vertices.size()));
-    addEdgeVertex(edge, places[k]);
-  }
-  outer.push_back(corner(edge, true));
-  const int across = isFar(edge) ? n_ - 1 : 1;
-  for (int k = 1; k < n_; ++k)
-    line.push_back(alongRow(edge) ? inner(k, across) : inner(across, k));
-
-  const auto at = [&](std::uint32_t vertex) {
-    const SpanCorner& c = mesh_.vertices[vertex].corner;
-    return alongRow(edge) ? c.u : c.v;
-  };
-  std::size_t a = 0, b = 0;
-  while (a + 1 < outer.size() || b + 1 < line.size()) {
-    const bool stepOuter =
-        b + 1 == line.size() ||
-        (a + 1 < outer.size() && at(outer[a]) + at(outer[a + 1]) <= at(line[b]) + at(line[b + 1]));
-    if (stepOuter) {
-      addTriangle(edge, outer[a], outer[a + 1], line[b]);
-      ++a;
-    } else {
-      addTriangle(edge, outer[a], line[b + 1], line[b]);
-      ++b;
-    }
-  }
+void StartMesh::addEdge(Edge edge) {
+  std::vector<EdgePlace> places = placesOf(edge);
+  places.front().mobility = places.back().mobility = Mobility::fixed;
+  if (edge == kNorth || edge == kWest)
+    std::reverse(places.begin(), places.end());
+  std::vector<NodeVertex> side;
+  for (const EdgePlace& each : places)
+    side.push_back(edgeVertex(edge, each));
+  // The first corner is the last one of the edge before, the very last the first of all.
+  const std::size_t first = edge == kSouth ? 0 : 1;
+  const std::size_t end = places.size() - (edge == kWest ? 1 : 0);
+  for (std::size_t k = first; k < end; ++k)
+    mobility_.push_back(places[k].mobility);
+  grid_.addStrip(edge, side);
 }
 
 } // namespace
 
 void makeStartMesh(const HeightTile& tile, const TileFrame& frame, const Border& border,
                    const LevelParams& level, CollapseMesh& mesh) {
-  StartMesh(tile, frame, border, level, mesh).make();
+  StartMesh(tile, frame, border, level).make(mesh);
 }
 
 } // namespace qmesh

@@ -10,7 +10,7 @@
 #include "mesh/level_params.h"
 #include "mesh/tile_frame.h"
 #include "mesh/tin.h"
-#include "mesh/triangle_spans.h"
+#include "simplify/triangulation.h"
 
 namespace qmesh {
 
@@ -21,10 +21,9 @@ enum class Mobility : std::uint8_t {
   fixed, ///< nowhere, and it never vanishes
 };
 
-/// A vertex as it will be written, rounded to the tile's frame.
-struct CollapseVertex {
-  SpanCorner corner; ///< height: above the frame's minimum, metres
-  std::uint16_t q = 0;
+/// A vertex as it will be written, rounded to the tile's frame; i and j name the node nearest to
+/// it.
+struct CollapseVertex : NodeVertex {
   Mobility mobility = Mobility::inner;
 };
 

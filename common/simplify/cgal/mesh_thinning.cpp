@@ -13,15 +13,7 @@ void MeshThinning::run(const HeightTile& tile, const TileFrame& frame, int keptC
 
 /// All inner nodes are vertices, and nodes of the border that are none have no say: masked all.
 void MeshThinning::load(const HeightTile& tile, const TileFrame& frame, const CollapseMesh& mesh) {
-  vertices_.clear();
-  for (const CollapseVertex& from : mesh.vertices) {
-    NodeVertex vertex;
-    vertex.corner = from.corner;
-    vertex.q = from.q;
-    vertex.i = std::uint16_t(frame.nearestColumn(std::uint16_t(from.corner.u)));
-    vertex.j = std::uint16_t(frame.nearestRow(std::uint16_t(from.corner.v)));
-    vertices_.push_back(vertex);
-  }
+  vertices_.assign(mesh.vertices.begin(), mesh.vertices.end());
   triangulation_.reset(vertices_, mesh.triangles);
   heights_.reset(tile, frame);
   for (int j = 0; j <= frame.cells(); ++j) {
