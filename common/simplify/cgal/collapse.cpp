@@ -16,7 +16,7 @@ namespace qmesh {
 
 namespace {
 
-/// Share of the max error the start mesh may lose where the max error decides: three to ten times
+/// Share of the max error the start mesh may lose where the max error decides: several times
 /// as fast, within two percent of the triangles.
 constexpr double kThinning = 0.3;
 

@@ -13,7 +13,7 @@
 namespace qmesh {
 
 /// Takes the inner nodes out of a start mesh that the heights do not need within a small tolerance
-/// (Decimator): three to ten times fewer edges for CGAL to look at, and as good a result, because
+/// (Decimator): several times fewer edges for CGAL to look at, and as good a result, because
 /// the judge still looks at every node. Memory is kept from tile to tile.
 class MeshThinning {
  public:
