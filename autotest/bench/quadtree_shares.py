@@ -4,9 +4,11 @@
 """Triangles of the quadtree against --curvature, with and without an observer: CSV and plot.
 
 The share is of the full mesh, two triangles for every cell of every tile of one zoom. The observer stands in the middle
-of the DEM. Writes quadtree_shares.csv and quadtree_shares.svg into the folder asked for.
+of the DEM. Writes quadtree_shares.csv and quadtree_shares.svg into the folder asked for; with --drawing also
+quadtree_drawing.csv: triangles in the first view of the preview page of whole pyramids, and milliseconds to draw it in
+headless Chromium (which draws in software; needs the Node packages of autotest/clients).
 
-    quadtree_shares.py --data FOLDER --out docs/algorithms/images
+    quadtree_shares.py --data FOLDER --out docs/algorithms/images [--drawing]
 """
 
 import argparse
@@ -50,6 +52,32 @@ def measure(command, data):
                        "rms_error_m": round(rms, 3)}
 
 
+def drawing(command, data):
+    """Rows on what the preview page draws, beside the full mesh."""
+    name, zoom, place, reach = DEMS[0]
+    observer = [f"--observer={place}", "--observer-range", str(reach)]
+    cases = [("full mesh", "", ["--method", "delaunay"]), ("greedy", "", [])]
+    for curvature in ("1", "10", "100"):
+        options = ["--method", "quadtree", "--curvature", curvature]
+        cases += [("quadtree", curvature, options), ("quadtree, observer", curvature, options + observer)]
+    for method, curvature, options in cases:
+        with tempfile.TemporaryDirectory() as folder:
+            out = pathlib.Path(folder) / "out"
+            subprocess.run([command, "-q", "-z", f"0-{zoom}", "--exclude", "-w", "cesium", *options,
+                            data / f"{name}.tif", out], check=True)
+            drawn = subprocess.run(["node", pathlib.Path(__file__).with_name("drawing_cost.mjs"), out], check=True,
+                                   capture_output=True, text=True)
+            yield {"mesh": method, "curvature": curvature, **json.loads(drawn.stdout)}
+
+
+def write(rows, path):
+    """One CSV."""
+    with open(path, "w", newline="", encoding="utf-8") as file:
+        writer = csv.DictWriter(file, rows[0].keys(), lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(rows)
+
+
 def plot(rows, path):
     """Shares over curvature, dashed with the observer; the paper's five percent as a line."""
     import matplotlib
@@ -77,14 +105,14 @@ def main():
     parser.add_argument("--command", default="build/bin/gdal2qmesh")
     parser.add_argument("--data", type=pathlib.Path, required=True, help="folder of the DEMs")
     parser.add_argument("--out", type=pathlib.Path, required=True, help="folder for the CSV and the plot")
+    parser.add_argument("--drawing", action="store_true", help="open whole pyramids in the preview page, too")
     arguments = parser.parse_args()
-    rows = list(measure(arguments.command, arguments.data))
     arguments.out.mkdir(parents=True, exist_ok=True)
-    with open(arguments.out / "quadtree_shares.csv", "w", newline="", encoding="utf-8") as file:
-        writer = csv.DictWriter(file, rows[0].keys(), lineterminator="\n")
-        writer.writeheader()
-        writer.writerows(rows)
+    rows = list(measure(arguments.command, arguments.data))
+    write(rows, arguments.out / "quadtree_shares.csv")
     plot(rows, arguments.out / "quadtree_shares.svg")
+    if arguments.drawing:
+        write(list(drawing(arguments.command, arguments.data)), arguments.out / "quadtree_drawing.csv")
 
 
 if __name__ == "__main__":
