@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geo/ellipsoid.h"
 #include "options/level_spec.h"
 #include "simplify/cgal/edge_collapse.h"
 #include "simplify/cgal/mesh_thinning.h"
 #include "simplify/exact_refinement.h"
 #include "simplify/finish.h"
 #include "simplify/methods.h"
+#include "simplify/metric_scale.h"
 #include "simplify/vertex_removal.h"
 
 namespace qmesh {
@@ -94,10 +94,9 @@ Status Collapse::makeRule(const HeightTile& tile, const TileFrame& frame, const 
     rule.perU = rule.perV = 1.0 / kQuantizedMax;
     rule.perMetre = 1 / (double(frame.maxHeight()) - double(frame.minHeight()));
   } else {
-    const GeoBox box = tile.lattice().scheme().box(tile.id());
-    const double latitude = (box.south + box.north) / 2;
-    rule.perU = (box.east - box.west) * wgs84::metresPerDegreeEast(latitude) / kQuantizedMax;
-    rule.perV = (box.north - box.south) * wgs84::metresPerDegreeNorth(latitude) / kQuantizedMax;
+    const MetricScale scale = metricScale(tile);
+    rule.perU = scale.east;
+    rule.perV = scale.north;
   }
   return {};
 }
