@@ -82,16 +82,15 @@ struct TerrainRaster::Part {
   int firstRow() const { return int(std::max<std::int64_t>(row, 0)); }
   int endRow() const { return int(std::min<std::int64_t>(row + side, height)); }
 
-  /// Calls `visit(place in the window, place in the tile's raster)`, while it gives true.
-  template <class Visit> bool forEach(Visit visit) const {
-    for (int r = firstRow(); r < endRow(); ++r) {
-      const auto from = std::size_t(side - 1 - int(r - row)) * std::size_t(side);
-      for (int c = firstColumn(); c < endColumn(); ++c)
-        if (!visit(std::size_t(r) * std::size_t(width) + std::size_t(c),
-                   from + std::size_t(c - column)))
-          return false;
-    }
-    return true;
+  int columns() const { return std::max(endColumn() - firstColumn(), 0); }
+  /// Where a row of the overlap begins in the window.
+  std::size_t inWindow(int r) const {
+    return std::size_t(r) * std::size_t(width) + std::size_t(firstColumn());
+  }
+  /// The same place in the tile's raster.
+  std::size_t inTile(int r) const {
+    return std::size_t(side - 1 - int(r - row)) * std::size_t(side) +
+           std::size_t(firstColumn() - column);
   }
 };
 
@@ -128,28 +127,35 @@ Status TerrainRaster::readPass(int zoom, const RasterWindow& window, bool ancest
 
 /// Puts a tile's heights where there are none yet.
 Status TerrainRaster::paste(const Part& part, bool ancestors, float* out) {
-  const bool full =
-      part.forEach([out](std::size_t to, std::size_t) { return !std::isnan(out[to]); });
-  if (full)
+  if (isFull(part, out))
     return {};
   const Result<Heights> heights = ancestors ? ancestorHeights(part.tile) : heightsOf(part.tile);
   if (!heights.ok())
     return heights.status();
   if (!*heights)
     return {};
-  const float* from = (*heights)->data();
-  part.forEach([out, from](std::size_t to, std::size_t place) {
-    if (std::isnan(out[to]))
-      out[to] = from[place];
-    return true;
-  });
+  for (int r = part.firstRow(); r < part.endRow(); ++r) {
+    float* to = out + part.inWindow(r);
+    const float* from = (*heights)->data() + part.inTile(r);
+    for (int k = 0; k < part.columns(); ++k)
+      to[k] = std::isnan(to[k]) ? from[k] : to[k];
+  }
   return {};
 }
 
+/// True where a part of the window has all its heights.
+bool TerrainRaster::isFull(const Part& part, const float* out) {
+  for (int r = part.firstRow(); r < part.endRow(); ++r) {
+    const float* row = out + part.inWindow(r);
+    if (std::any_of(row, row + part.columns(), [](float height) { return std::isnan(height); }))
+      return false;
+  }
+  return true;
+}
+
 TerrainRaster::Heights TerrainRaster::evaluate(const TileMesh& mesh, TileId tile, TileId source) {
-  const auto heights =
-      rasterHeights(mesh, TilePlaces(scheme_, tile, source, cells_, registration_));
-  return std::make_shared<const std::vector<float>>(heights.begin(), heights.end());
+  return std::make_shared<const std::vector<float>>(
+      rasterHeights(mesh, TilePlaces(scheme_, tile, source, cells_, registration_)));
 }
 
 Result<TerrainRaster::Heights> TerrainRaster::heightsOf(TileId tile) {

@@ -50,6 +50,7 @@ class TerrainRaster {
   struct Part;
   Status readPass(int zoom, const RasterWindow& window, bool ancestors, float* out);
   Status paste(const Part& part, bool ancestors, float* out);
+  static bool isFull(const Part& part, const float* out);
   Result<Heights> heightsOf(TileId tile);
   Result<Heights> ancestorHeights(TileId tile);
   Heights evaluate(const TileMesh& mesh, TileId tile, TileId source);

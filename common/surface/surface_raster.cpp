@@ -4,12 +4,18 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cstring>
 #include <limits>
 
 #include "mesh/triangle_spans.h"
 
 namespace qmesh {
 namespace {
+
+using Doubles = Lanes<double>::Reals;
+using Ints = Lanes<double>::Ints;
+using Floats = float __attribute__((vector_size(16)));
+constexpr int kLanes = Lanes<double>::kCount;
 
 /// v of row `numerator / denominator` of the matrix's height in the square of `source`.
 double positionV(const Scheme& scheme, const GeoBox& box, TileId source, std::int64_t numerator,
@@ -32,20 +38,31 @@ std::vector<SpanCorner> cornersOf(const TileMesh& mesh, const TilePlaces& places
   return corners;
 }
 
-/// Writes what the spans of a triangle cover of the raster.
-QMESH_INLINE void fillSpans(const SpanList<double>& list, double slope, int side, double* heights) {
-  for (int k = 0; k < list.rows && list.firstRow + k < side; ++k) {
-    const int begin = std::max(list.begin[k], 0);
+/// Writes what the spans of a triangle cover of the raster; of the places behind a span it writes
+/// up to four again as they are.
+QMESH_INLINE void fillSpans(const SpanList<double>& list, double slope, int side, float* heights) {
+  const Ints lanes = {0, 1, 2, 3};
+  const int rows = std::min(list.rows, side - list.firstRow);
+  float* row = heights + std::ptrdiff_t(list.firstRow) * side;
+  for (int k = 0; k < rows; ++k, row += side) {
+    int column = std::clamp(list.begin[k], 0, side);
     const int end = std::min(list.begin[k] + list.count[k], side);
-    double* row = heights + std::size_t(list.firstRow + k) * std::size_t(side);
-    for (int column = begin; column < end; ++column)
-      row[column] = list.height[k] + double(column - list.begin[k]) * slope;
+    Doubles fromBegin = __builtin_convertvector(lanes + (column - list.begin[k]), Doubles);
+    do { // also for a row without places: cheaper than to foresee which one it is
+      const Floats plane = __builtin_convertvector(list.height[k] + fromBegin * slope, Floats);
+      Floats there;
+      std::memcpy(&there, row + column, sizeof there);
+      there = lanes < end - column ? plane : there;
+      std::memcpy(row + column, &there, sizeof there);
+      column += kLanes;
+      fromBegin += double(kLanes);
+    } while (column < end);
   }
 }
 
 QMESH_VECTOR_CLONES void fillTriangles(const std::vector<SpanCorner>& corners,
                                        const std::vector<std::uint32_t>& indices,
-                                       const TilePlaces& places, double* heights) {
+                                       const TilePlaces& places, float* heights) {
   SpanList<double> list;
   const double columnUnits = kQuantizedMax / places.columnsPerTile();
   for (std::size_t k = 0; k < indices.size(); k += 3) {
@@ -82,19 +99,25 @@ TilePlaces::TilePlaces(const Scheme& scheme, TileId tile, TileId source, int cel
   for (int row = 0; row < side_; ++row)
     rowV_.push_back(
         positionV(scheme, box, source, 2 * (std::int64_t(tile.y) * cells + row) + half, all));
+  rowsPerV_ = side_ > 1 ? (side_ - 1) / (rowV_.back() - rowV_.front()) : 0;
   rowV_.resize(rowV_.size() + kLanePadding, kQuantizedMax);
 }
 
 int TilePlaces::rowAtOrAbove(double v) const {
-  const auto end = rowV_.begin() + side_;
-  return int(std::lower_bound(rowV_.begin(), end, v) - rowV_.begin());
+  // Right where rows are even.
+  int row = int(std::clamp((v - rowV_.front()) * rowsPerV_, 0.0, double(side_)));
+  while (row > 0 && rowV_[std::size_t(row) - 1] >= v)
+    --row;
+  while (row < side_ && rowV_[std::size_t(row)] < v)
+    ++row;
+  return row;
 }
 
-std::vector<double> rasterHeights(const TileMesh& mesh, const TilePlaces& places) {
-  const int side = places.side();
-  std::vector<double> heights(std::size_t(side) * std::size_t(side),
-                              std::numeric_limits<double>::quiet_NaN());
+std::vector<float> rasterHeights(const TileMesh& mesh, const TilePlaces& places) {
+  const std::size_t count = std::size_t(places.side()) * std::size_t(places.side());
+  std::vector<float> heights(count + kLanePadding, std::numeric_limits<float>::quiet_NaN());
   fillTriangles(cornersOf(mesh, places), mesh.indices, places, heights.data());
+  heights.resize(count);
   return heights;
 }
 

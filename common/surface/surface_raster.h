@@ -51,6 +51,7 @@ class TilePlaces {
   int side_;
   double columnsPerTile_;
   double firstColumn_;
+  double rowsPerV_; ///< on average
   std::vector<double> rowV_;
 };
 
@@ -59,6 +60,6 @@ class TilePlaces {
 /// triangle, whatever else touches it. Meshes of any producer: triangles may turn either way, those
 /// without area are passed over, of overlapping ones the last counts. Every triangle is walked
 /// once: O(triangles + places).
-std::vector<double> rasterHeights(const TileMesh& mesh, const TilePlaces& places);
+std::vector<float> rasterHeights(const TileMesh& mesh, const TilePlaces& places);
 
 } // namespace qmesh
