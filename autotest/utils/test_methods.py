@@ -11,8 +11,8 @@ import pytest
 import harness
 import promises
 
-BOUNDED = {"greedy", "collapse", "quadtree"}  # within the max error with their defaults
-UNBOUNDED = {"delaunay", "qem", "grid", "random", "hierarchy", "wlop"}
+BOUNDED = {"greedy", "collapse"}  # within the max error with their defaults
+UNBOUNDED = {"delaunay", "qem", "quadtree", "grid", "random", "hierarchy", "wlop"}
 DEMS = {
     "small_bigtujunga": "12-",
     "small_montereybay": "9-",
@@ -79,6 +79,14 @@ def test_the_error_is_bounded_or_told(tile_set, dem, method, name, border):
     if name in AFFINE:
         for level in tiles.layer["qmesh"]["levels"]:
             assert level["errorReached"] == pytest.approx(reached[level["zoom"]], abs=2e-3)
+
+
+@pytest.mark.parametrize("name", DEMS)
+def test_quadtree_keeps_a_max_error_that_is_asked_for(tile_set, dem, name):
+    """P2"""
+    tiles = tile_set(name, *options("quadtree", name), "--max-error", "20000/2^z")
+    nodes = promises.nodes_of(dem(name), "geodetic", cells(), max(tiles.levels()))
+    promises.none(promises.bounded(tiles, nodes, lambda z: 20000 / 2**z)[0])
 
 
 @pytest.mark.parametrize("border", ["shared", "inherit"])

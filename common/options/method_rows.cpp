@@ -127,8 +127,10 @@ Rows qemRows() {
 Rows quadtreeRows() {
   return {
       specRow("curvature", &Options::curvature, 0, kAny)
-          .help("quadtree: divide a cell while its cumulated curvature exceeds this; else while "
-                "the max error does."),
+          .whenUnset("120 max errors per node spacing; none where --max-error is given")
+          .help(
+              "quadtree: divide a cell while its cumulated curvature exceeds this; without it and "
+              "with --max-error, while a node is beyond that."),
       RowBuilder(Group::meshes, "observer")
           .value("LON,LAT[,HEIGHT]")
           .custom(Type::text, setObserver, observerText)

@@ -27,8 +27,8 @@ const std::vector<SimplifierInfo>& simplifiers() {
        "collapses the edge with the least quadric error until details would show", false, "svo",
        createQem},
       {"quadtree", "refinement",
-       "halves cells where the terrain is curved or beyond the max error; regular triangles", true,
-       "max-error", createQuadtree},
+       "halves cells where the terrain is curved or beyond the max error; regular triangles", false,
+       "curvature", createQuadtree},
       {"delaunay", "reference", "keeps every node: the reference to compare with", false, "",
        createAllNodes},
   };

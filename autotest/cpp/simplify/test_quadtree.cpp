@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "base/text.h"
 #include "geo/ellipsoid.h"
 #include "mesh/check.h"
 #include "mesh/error_measure.h"
@@ -21,14 +22,16 @@ using namespace test;
 
 using Nodes = std::set<std::pair<int, int>>;
 
+/// Divides by a curvature; by the level's max error where none is given.
 MethodOptions curvatureOptions(const std::string& curvature) {
   MethodOptions options;
   options.curvature = curvature;
+  options.maxError = curvature.empty() ? "1" : ""; // what it says is in the level
   return options;
 }
 
 Simplified quadtree(const HeightTile& tile, const LevelParams& level,
-                    const MethodOptions& options = {}) {
+                    const MethodOptions& options = curvatureOptions("")) {
   const auto method = findSimplifier("quadtree")->create(options);
   return simplify(tile, level, *method);
 }
@@ -281,6 +284,16 @@ TEST(Quadtree, MoreCurvatureAllowedFewerTriangles) {
             2u * 64 * 64);
 }
 
+TEST(Quadtree, DividesByACurvatureOfItsOwnByDefault) {
+  // Nodes of the equator's zoom 12, 64 a tile: 40075 km / 2^13 / 64 = 76.4 m apart.
+  const Place place{Profile::geodetic, 12, 1411, 2828, 64};
+  const TerrainPatch patch(place.lattice(), place.id(), 1, 1, Terrain::fractal, 5);
+  const double spacing = 2 * wgs84::kPi * wgs84::kSemiMajor / 8192 / 64;
+  const MethodOptions said = curvatureOptions(formatNumber(120 * 10 / spacing));
+  EXPECT_TRUE(same(quadtree(patch.tile(), place.level(10), MethodOptions()).tin,
+                   quadtree(patch.tile(), place.level(10), said).tin));
+}
+
 TEST(Quadtree, SeamsHoldByCurvatureAndWithAnObserver) {
   using P = Profile;
   unsigned seed = 900;
@@ -343,7 +356,7 @@ TEST(Quadtree, AnObserverSavesTriangles) {
 }
 
 TEST(Quadtree, IsAPureFunctionOfTheTile) {
-  const auto reused = findSimplifier("quadtree")->create({});
+  const auto reused = findSimplifier("quadtree")->create(curvatureOptions(""));
   for (const Place& place : places()) {
     const TerrainPatch patch(place.lattice(), place.id(), 1, 1, Terrain::fractal, 31);
     const LevelParams level = place.level(8);

@@ -18,13 +18,18 @@ namespace qmesh {
 
 namespace {
 
+/// The default curvature in max errors per node spacing: makes about as many triangles as greedy
+/// (docs/algorithms/quadtree.md).
+constexpr double kDefaultCurvature = 120;
+
 /// Cifuentes, Venere & Clausse, "Interactive remeshing for navigation over landscape models"
-/// (2010): a restricted quadtree whose cells are divided where the terrain is curved, or, where no
-/// curvature is asked for, where the mesh is beyond the max error.
+/// (2010): a restricted quadtree whose cells are divided where the terrain is curved, or, where a
+/// max error is asked for and no curvature, where the mesh is beyond it.
 class Quadtree final : public Simplifier {
  public:
   explicit Quadtree(const MethodOptions& options)
-      : curvatureSpec_(options.curvature), observer_(options) {}
+      : curvatureSpec_(options.curvature), byMaxError_(!options.maxError.empty()),
+        observer_(options) {}
 
   void makeBorder(const HeightTile& tile, const TileFrame& frame, const LevelParams& level,
                   Border& border) const override;
@@ -33,6 +38,7 @@ class Quadtree final : public Simplifier {
                   const LevelParams& level, Tin& out) override;
 
  private:
+  Result<std::optional<double>> threshold(const HeightTile& tile, const LevelParams& level) const;
   void divideByCurvature(const HeightTile& tile, double threshold);
   void divideByError(const HeightTile& tile, const TileFrame& frame, double maxError);
   bool divideBadLeaves(const HeightTile& tile, float tolerance);
@@ -41,6 +47,7 @@ class Quadtree final : public Simplifier {
   void maskVertices(int cells);
 
   std::string curvatureSpec_;
+  bool byMaxError_; ///< unless there is a SPEC
   Observer observer_;
   Curvature curvature_;
   CumulatedCurvature cumulated_;
@@ -50,6 +57,16 @@ class Quadtree final : public Simplifier {
   NodeHeights heights_;
   ExactRefinement exact_;
 };
+
+/// The cumulated curvature at which cells are divided; nothing where the max error decides.
+Result<std::optional<double>> Quadtree::threshold(const HeightTile& tile,
+                                                  const LevelParams& level) const {
+  auto spec = specValue(curvatureSpec_, level.zoom);
+  if (!spec.ok() || *spec || byMaxError_)
+    return spec;
+  const double spacing = tile.lattice().scheme().tileMetres(level.zoom) / tile.cells();
+  return std::optional<double>(kDefaultCurvature * level.maxError / spacing);
+}
 
 /// A stretch of an edge is halved like a cell of that size, of which it is all the neighbour knows:
 /// as if the cell were as curved everywhere as along the edge.
@@ -63,8 +80,8 @@ void Quadtree::makeBorder(const HeightTile& tile, const TileFrame& frame, const 
     return observer_.factor(tile, s.edge == kEast ? n : 0, s.from, 0, length);
   };
   // A SPEC without a value here is reported by simplify(), which gets no further.
-  const auto spec = specValue(curvatureSpec_, level.zoom);
-  if (!spec.ok() || !*spec) {
+  const auto curved = threshold(tile, level);
+  if (!curved.ok() || !*curved) {
     const double tolerance = borderTolerance(level);
     const auto beyondError = [&](const EdgeStretch& s) {
       const bool canGain = s.to - s.from > 1 || !observer_.exists();
@@ -84,21 +101,21 @@ void Quadtree::makeBorder(const HeightTile& tile, const TileFrame& frame, const 
       const int across = s.edge == kEast || s.edge == kNorth ? n : 0;
       sum += alongRow ? curvature.kappa(k, across) : curvature.kappa(across, k);
     }
-    return sum * (s.to - s.from + 1) > **spec * stretchFactor(s);
+    return sum * (s.to - s.from + 1) > **curved * stretchFactor(s);
   };
   makeDyadicBorder(tile, frame, level, tooCurved, border);
 }
 
 Status Quadtree::simplify(const HeightTile& tile, const TileFrame& frame, const Border& border,
                           const LevelParams& level, Tin& out) {
-  const auto spec = specValue(curvatureSpec_, level.zoom);
-  if (!spec.ok())
-    return spec.status();
+  const auto curved = threshold(tile, level);
+  if (!curved.ok())
+    return curved.status();
   tree_.reset(frame.cells(), level.baseGrid);
   mesh_.reset(tile, frame, border);
   mesh_.followBorder(tree_);
-  if (*spec) {
-    divideByCurvature(tile, **spec);
+  if (*curved) {
+    divideByCurvature(tile, **curved);
     mesh_.build(tree_);
     mesh_.nodes().write(out);
     finishTin(tile, frame, level, StopReason::parameter, out);

@@ -6,7 +6,8 @@
 How the defaults of methods were found whose parameter is no max error: each DEM is meshed by greedy with its defaults
 and by the method with its parameter at some multiples of every zoom's max error.
 
-    calibrate_qem.py --data FOLDER [--method qem] [--option svo] [--factors 0.5,0.65,0.8]
+    calibrate_method.py --data FOLDER [--method qem] [--option svo] [--factors 0.5,0.65,0.8]
+    calibrate_method.py --data FOLDER --method quadtree --option curvature --per-spacing --factors 80,120
 """
 
 import argparse
@@ -15,6 +16,7 @@ import pathlib
 import subprocess
 import tempfile
 
+EQUATOR = 40075016.7  # metres
 DEMS = {  # zooms where the DEM has detail
     "bigtujunga_srtm_30m_utm11n": "8-11",
     "montereybay_noaa_topobathy": "7-10",
@@ -39,17 +41,21 @@ def main():
     parser.add_argument("--method", default="qem")
     parser.add_argument("--option", default="svo")
     parser.add_argument("--factors", default="0.5,0.65,0.8")
+    parser.add_argument("--per-spacing", action="store_true", help="the parameter is a multiple of max error / node spacing")
+    parser.add_argument("--tilesize", type=int, default=256)
     arguments = parser.parse_args()
     print("| DEM, zooms | parameter / max error | triangles / greedy's, by zoom | rms error / greedy's | "
           "largest error / max error |")
     print("|---|---|---|---|---|")
     for dem, zooms in DEMS.items():
         source = arguments.data / f"{dem}.tif"
-        greedy = build(arguments.command, source, zooms)
-        first = greedy[0]["zoom"]
+        tilesize = ("--tilesize", str(arguments.tilesize))
+        greedy = build(arguments.command, source, zooms, *tilesize)
         for factor in map(float, arguments.factors.split(",")):
-            spec = ",".join(f"{first + k}:{factor * zoom['maxError']:.9g}" for k, zoom in enumerate(greedy))
-            made = build(arguments.command, source, zooms, "--method", arguments.method,
+            unit = {z["zoom"]: EQUATOR / 2 ** (z["zoom"] + 1) / arguments.tilesize if arguments.per_spacing else 1
+                    for z in greedy}
+            spec = ",".join(f"{z['zoom']}:{factor * z['maxError'] / unit[z['zoom']]:.9g}" for z in greedy)
+            made = build(arguments.command, source, zooms, *tilesize, "--method", arguments.method,
                          f"--{arguments.option}", spec)
             shares = " ".join(f"{m['triangles'] / g['triangles']:.2f}" for m, g in zip(made, greedy))
             rms = " ".join(f"{m['rmsError'] / g['rmsError']:.2f}" for m, g in zip(made, greedy))
