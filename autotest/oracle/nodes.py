@@ -8,7 +8,13 @@ Each coarser level is [1 2 1] x [1 2 1] over the valid nodes, valid where their 
 half of the whole. Positions come from an exact transformation (no approximation of the product's).
 
 Beside each value stands a tolerance: what moving the position by the product's allowance (a fraction
-of a pixel, for sources that need a projection) may change, and where it may change the validity."""
+of a pixel, for sources that need a projection) may change, and where it may change the validity.
+
+The tolerance: positions may be off by ALLOWANCE along x and along y. Along either the bilinear
+surface has no jumps, and per pixel it rises by no more than the span of the pixels around (all that
+a position within the allowance reads): a height may be off by 2 ALLOWANCE span. Where some of four
+pixels are void the weights of the others are divided by their sum, at least 1/2 where the valid ones
+are not in line (else it makes no difference): twice that."""
 
 from dataclasses import dataclass
 
@@ -20,6 +26,7 @@ gdal.UseExceptions()
 osr.UseExceptions()
 
 _CONTROL = 8  # nodes between two exact transformations
+ALLOWANCE = 1.0 / 1024.0  # pixels: see autotest/cpp/gdalio/test_node_positions.cpp
 
 
 @dataclass
@@ -135,7 +142,7 @@ class Source:
 
     def sample(self, px, py):
         """(height, tolerance, doubtful) at positions on the raster."""
-        allowance = 0.0 if self.affine else 1.0 / 256.0
+        allowance = 0.0 if self.affine else ALLOWANCE
         valid, _ = self._touched(px, py, 1e-6)
         column = np.floor(px - 0.5).astype(np.int64)
         row = np.floor(py - 0.5).astype(np.int64)
@@ -151,13 +158,22 @@ class Source:
         with np.errstate(invalid="ignore", divide="ignore"):
             height = (weights * np.where(known, taps, 0.0)).sum(axis=0) / total
         height = np.where(valid & (total > 0), height, np.nan)
-        span = np.where(known, taps, -np.inf).max(axis=0) - np.where(known, taps, np.inf).min(axis=0)
-        span = np.where(known.any(axis=0), span, 0.0)
-        doubtful = np.zeros(px.shape, bool)
-        if allowance:
-            some, every = self._touched(px, py, allowance)
-            doubtful = some & ~every
-        return height, 8.0 * allowance * span, doubtful
+        if not allowance:
+            return height, np.zeros(px.shape), np.zeros(px.shape, bool)
+        some, every = self._touched(px, py, allowance)
+        return height, 2.0 * allowance * self._rise(px, py, allowance), some & ~every
+
+    def _rise(self, px, py, margin):
+        """What the surface at positions within `margin` rises per pixel at most."""
+        low, high = np.full(px.shape, np.inf), np.full(px.shape, -np.inf)
+        void = np.zeros(px.shape, bool)
+        for dy in (-0.5 - margin, 0.0, 0.5 + margin):
+            for dx in (-0.5 - margin, 0.0, 0.5 + margin):
+                column, row = (np.floor(at).astype(np.int64) for at in (px + dx, py + dy))
+                pixel = self._pixels(column, row)
+                low, high = np.fmin(low, pixel), np.fmax(high, pixel)
+                void |= np.isnan(pixel)
+        return np.where(low <= high, high - low, 0.0) * np.where(void, 2.0, 1.0)
 
 
 def _control_positions(count):

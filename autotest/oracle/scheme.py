@@ -74,14 +74,25 @@ class Scheme:
         return error / 2.0 if z == max_zoom else error
 
     def lattice_step(self, z, max_error):
-        """The step S of the level's height lattice, metres."""
-        reach = min(32767.0, 4.0 * self.tile_metres(z))
-        step = 2.0 ** math.ceil(math.log2(reach / 32767.0))
-        if max_error > 0:
-            step = min(step, 2.0 ** math.floor(math.log2(max_error / 2.0)))
-        else:
-            step = 2.0**-10
-        return max(step, 2.0**-10)
+        """The step S of the level's height lattice, metres: no larger than half the max error unless
+        real relief would not fit then."""
+
+        def step_for(metres):
+            return max(2.0 ** math.ceil(math.log2(metres / QUANTIZED_MAX)), 2.0**-10)
+
+        size = self.tile_metres(z)
+        step = step_for(min(32767.0, 4.0 * size))
+        wanted = 2.0 ** math.floor(math.log2(max_error / 2.0)) if max_error > 0 else 0.0
+        return min(step, max(wanted, step_for(min(16000.0, size))))
+
+
+def coarse_step(step, low, high):
+    """Step of a tile whose heights low..high are too far apart for 32767 steps S of its level: S
+    doubled until they fit; 0 where S does. A border height may be rounded up by half a step."""
+    tile_step = step
+    while np.floor(low / tile_step) * tile_step + QUANTIZED_MAX * tile_step < high + tile_step / 2:
+        tile_step *= 2.0
+    return tile_step if tile_step > step else 0.0
 
 
 def node_u(cells):

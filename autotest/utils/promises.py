@@ -8,7 +8,7 @@ import numpy as np
 
 from oracle import tin, validity
 from oracle.nodes import Nodes, Source
-from oracle.scheme import QUANTIZED_MAX, node_u
+from oracle.scheme import QUANTIZED_MAX, coarse_step, node_u
 from oracle.tileset import seam_faults
 
 FLOAT_SLACK = 1e-3  # metres: heights are float32 on the way
@@ -31,11 +31,18 @@ def valid(tiles):
     return faults
 
 
-def seamless(tiles):
-    """P1: (faults, seams compared), all levels."""
+def seamless(tiles, nodes=None):
+    """P1: (faults, seams compared), all levels. With the oracle's `nodes`, tiles whose heights are too
+    far apart for the level's lattice may be off their neighbours by half of their step."""
+    limits = level_errors(tiles)
+
+    @functools.lru_cache(maxsize=None)
+    def gap(name):
+        return 0.0 if nodes is None else step_of_coarse_tile(nodes, name, limits[name[0]]) / 2
+
     faults, seams = [], 0
     for z in tiles.levels():
-        found, count = seam_faults(tiles, z)
+        found, count = seam_faults(tiles, z, gap=gap)
         faults += found
         seams += count
     return faults, seams
@@ -55,6 +62,29 @@ def nodes_of(path, profile, cells, max_zoom, void_fill=0.0, **options):
     from oracle.scheme import Scheme
 
     return Nodes(Source(path), Scheme(profile), cells, max_zoom, void_fill, **options)
+
+
+def step_of_coarse_tile(nodes, name, max_error):
+    """Metres; 0 unless the heights of the tile's nodes exceed what the lattice of the level, whose max
+    error is given, holds."""
+    height, tolerance, _, _ = nodes.tile(*name)
+    step = nodes.scheme.lattice_step(name[0], max_error)
+    return coarse_step(step, (height - tolerance).min(), (height + tolerance).max())
+
+
+def allowed_errors(nodes, name, max_error, limit=None):
+    """What each node of a tile may be off: the max error, or `limit` where that is given.
+
+    A border's vertices keep it within the max error where heights are multiples of S. A coarse tile
+    rounds them again, to multiples of its own step: that moves the border by half of that step at
+    most, for the multiple of S nearest to a height is no further than that from the coarse multiple
+    nearest to it. The inside makes up for it."""
+    limit = max_error if limit is None else limit
+    coarse = step_of_coarse_tile(nodes, name, max_error)
+    allowed = np.full((nodes.cells + 1, nodes.cells + 1), max(limit, coarse / 2))
+    for edge in (allowed[0], allowed[-1], allowed[:, 0], allowed[:, -1]):
+        edge[:] = limit + coarse / 2
+    return allowed + FLOAT_SLACK
 
 
 def rounding_bound(height, node_u, node_v, step):
@@ -91,12 +121,13 @@ def bounded(tiles, nodes, max_error=None, rounding=False, promised=True):
             limit = max(limit, float(rounding_bound(height, u, v, step).max()))
         if not promised:
             limit = np.inf
-        if error.max() > limit + FLOAT_SLACK:
-            j, i = np.unravel_index(int(error.argmax()), error.shape)
+        excess = error - allowed_errors(nodes, (z, x, y), limits[z], limit)
+        if excess.max() > 0:
+            j, i = np.unravel_index(int(excess.argmax()), error.shape)
             faults.append(
                 f"{where}: node ({i}, {j}) is {error[j, i]:.4f} m off ({surface[j, i]:.3f}, not "
-                f"{height[j, i]:.3f}); {limit:.4f} m are allowed, "
-                f"{int((error > limit + FLOAT_SLACK).sum())} nodes exceed it"
+                f"{height[j, i]:.3f}); {error[j, i] - excess[j, i]:.4f} m are allowed, "
+                f"{int((excess > 0).sum())} nodes exceed it"
             )
         faults += [f"{where}: {f}" for f in _header_range_faults(tile, nodes, limits, (z, x, y))]
     return faults, reached

@@ -43,6 +43,9 @@ def test_a_vertex_missing_on_one_side_is_found(tiny):
         tile.u = kept
 
 
+MAX_ERROR = 0.05
+
+
 class OneTile:
     """Just enough of a TileSet for promises.bounded()."""
 
@@ -64,7 +67,8 @@ def all_nodes(nodes, scheme, name, shift=0):
     n = nodes.cells
     height = np.roll(nodes.tile(*name)[0], shift, axis=1)
     u, v = np.meshgrid(np.round(node_u(n)), np.round(scheme.node_v(name[0], name[2], n)))
-    low, high = np.floor(height.min() * 64.0) / 64.0, height.max() + 0.01
+    step = scheme.lattice_step(name[0], MAX_ERROR)
+    low, high = np.floor(height.min() / step) * step, height.max() + 0.01
     q = np.round((height - low) / (high - low) * QUANTIZED_MAX)
     a = (np.arange(n)[:, None] * (n + 1) + np.arange(n)).ravel()
     south_east, north_west = (a, a + 1, a + n + 2), (a, a + n + 2, a + n + 1)
@@ -80,6 +84,6 @@ def test_the_error_of_all_nodes_is_their_rounding_and_a_shift_is_found(tmp_path,
     nodes = Nodes(Source(tmp_path / "a.tif"), scheme, 64, 11)
     name = (11, int(190.2 / 360 * scheme.tiles_x(11)), int(scheme.fraction_y(46.2) * 2048))
     good = OneTile(scheme, name, all_nodes(nodes, scheme, name))
-    promises.none(promises.bounded(good, nodes, lambda z: 0.05)[0])
+    promises.none(promises.bounded(good, nodes, lambda z: MAX_ERROR)[0])
     shifted = OneTile(scheme, name, all_nodes(nodes, scheme, name, shift=1))
-    assert "nodes exceed it" in str(promises.bounded(shifted, nodes, lambda z: 0.05)[0])
+    assert "nodes exceed it" in str(promises.bounded(shifted, nodes, lambda z: MAX_ERROR)[0])

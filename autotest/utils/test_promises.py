@@ -2,10 +2,15 @@
 # Copyright (c) 2026 the qmesh authors
 """P1, P2 and P6 on whole pyramids: every DEM, all zooms 0..native, both profiles."""
 
+import json
+
 import pytest
 
 import dems
+import harness
 import promises
+from oracle.nodes import Nodes, Source
+from oracle.tileset import TileSet
 
 MATRIX = [(name, profile) for profile in ("geodetic", "mercator") for name in dems.DEMS]
 matrix = pytest.mark.parametrize("name, profile", MATRIX)
@@ -53,6 +58,48 @@ def test_the_promises_hold_for_other_tile_sizes(tile_set, dem, cells, profile):
     promises.none(promises.seamless(tiles)[0])
     nodes = promises.nodes_of(dem("small"), profile, cells, max(tiles.levels()))
     promises.none(promises.bounded(tiles, nodes)[0])
+
+
+FINE = 64  # --tilesize at which the heights 0 (void) and 284 m of slovenia exceed 32767 S of zoom 19
+
+
+@pytest.fixture(scope="module")
+def coarse_tiles(dem, tmp_path_factory):
+    """(tiles, the oracle's nodes, what the run reported): tiles along the outline of the data are coarse."""
+    folder = tmp_path_factory.mktemp("coarse")
+    given = (*options("geodetic"), "--tilesize", FINE, "--report", folder / "report.json")
+    harness.gdal2qmesh(*given, dem("slovenia"), folder / "set").succeeded()
+    tiles = TileSet(folder / "set")
+    nodes = promises.nodes_of(dem("slovenia"), "geodetic", FINE, max(tiles.levels()))
+    return tiles, nodes, json.loads((folder / "report.json").read_text())["zooms"]
+
+
+def test_tiles_with_a_cliff_keep_the_promises_but_for_the_rounding_of_their_borders(coarse_tiles):
+    """P1 and P2 where heights are too far apart for the level's lattice (docs/architecture.md, "Why there
+    is no seam"): such tiles are those the nodes say, and all are counted."""
+    tiles, nodes, levels = coarse_tiles
+    promises.none(promises.bounded(tiles, nodes)[0])
+    promises.none(promises.seamless(tiles, nodes)[0])
+    limits, names = promises.level_errors(tiles), tiles.levels()
+    for level in levels:
+        z = level["zoom"]
+        steps = [promises.step_of_coarse_tile(nodes, name, limits[z]) for name in names[z]]
+        assert level["coarseTiles"] == sum(step > 0 for step in steps)
+        assert level["largestCoarseStep"] == max(steps)
+    assert sum(level["coarseTiles"] for level in levels) > 50
+
+
+def test_the_bound_finds_nodes_a_hundredth_of_a_cell_away(coarse_tiles, dem):
+    """Of the check above: many meshes exceed the bound against nodes sampled that far to the side."""
+    tiles, nodes, _ = coarse_tiles
+    source, top = Source(dem("slovenia")), max(tiles.levels())
+    lon, lat = source.outline()
+    middle, spacing = (lon.mean(), lat.mean()), 360.0 / nodes.columns(top)
+    cell = source.pixel_of(middle[0] + spacing, middle[1]) - source.pixel_of(*middle)
+    exact = source.sample
+    source.sample = lambda px, py: exact(px + cell[0] / 100, py + cell[1] / 100)
+    aside = Nodes(source, tiles.scheme, FINE, top)
+    assert len(promises.bounded(tiles, aside)[0]) > 50
 
 
 @pytest.mark.parametrize("name", ["antimeridian", "antimeridian_utm", "global"])

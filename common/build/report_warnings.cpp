@@ -24,8 +24,8 @@ std::vector<std::string> reportWarnings(const BuildReport& report) {
   if (total.quantizationTiles > 0)
     warnings.push_back(std::to_string(total.quantizationTiles) + " of " +
                        std::to_string(total.tiles) +
-                       " tiles exceed their max error because rounding to the format's 15 bits "
-                       "alone does; layer.json tells the error of each zoom");
+                       " tiles exceed their max error because of the rounding to the format's "
+                       "15 bits; layer.json tells the error of each zoom");
   if (total.coarseTiles > 0)
     warnings.push_back(std::to_string(total.coarseTiles) +
                        " tiles hold heights too far apart for an exact fit with their neighbours: "
