@@ -15,12 +15,13 @@ namespace qmesh {
 /// What the threads of a run share. Plans and options are const; the rest guards itself.
 struct BuildShared {
   BuildShared(const TilesetInput& input, TileSink& theSink)
-      : options(input.options), plan(input.plan), source(input.source), sink(theSink),
-        levels(input.plan.levels.size()) {}
+      : options(input.options), plan(input.plan), source(input.source), meshes(input.meshes),
+        sink(theSink), levels(input.plan.levels.size()) {}
 
   const BuildOptions& options;
   const PyramidPlan& plan;
   const NodeSourceFactory& source;
+  const MeshTaker& meshes;
   TileSink& sink;
 
   std::mutex mutex; ///< guards what follows

@@ -3,11 +3,13 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
 #include "base/status.h"
 #include "build/node_source.h"
+#include "export/export_mesh.h"
 #include "mesh/level_params.h"
 #include "options/build_options.h"
 #include "tiling/availability.h"
@@ -31,11 +33,15 @@ struct PyramidPlan {
   std::uint64_t tileCount() const;
 };
 
+/// Takes the mesh of a tile as it is encoded, for other programs; many threads call at once.
+using MeshTaker = std::function<Status(TileId, const ExportMesh&)>;
+
 /// All that decides what the tiles are; const while a run goes on.
 struct TilesetInput {
   const BuildOptions& options;
   const PyramidPlan& plan;
   const NodeSourceFactory& source;
+  MeshTaker meshes = {}; ///< of every tile written (--debug-meshes); empty: nobody wants them
 };
 
 /// Plans the pyramid. Tiles are those whose square meets the data's extent at the maximum zoom

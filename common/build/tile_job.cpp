@@ -10,6 +10,7 @@
 #include "codec/encode.h"
 #include "geo/bounding.h"
 #include "geo/ellipsoid.h"
+#include "geo/octahedral.h"
 #include "mesh/normals.h"
 
 namespace qmesh {
@@ -133,6 +134,19 @@ Status TileJob::simplifyAndEncode(const HeightTile& tile, const LevelParams& lev
   result.stats.bytes = result.bytes.size();
   seconds[int(Step::encode)] += watch.lap();
   return {};
+}
+
+ExportMesh TileJob::exportMesh(const HeightTile& tile) const {
+  ExportMesh mesh;
+  mesh.name = "tile " + nameOf(tile.id());
+  mesh.box = tile.lattice().scheme().box(tile.id());
+  for (std::size_t k = 0; k < mesh_.vertexCount(); ++k)
+    mesh.vertices.push_back({double(mesh_.u[k]), double(mesh_.v[k]), frame_.decode(mesh_.q[k])});
+  for (std::size_t k = 0; k < mesh_.indices.size(); k += 3)
+    mesh.triangles.push_back({mesh_.indices[k], mesh_.indices[k + 1], mesh_.indices[k + 2]});
+  for (std::size_t k = 0; k < mesh_.octNormals.size(); k += 2)
+    mesh.normals.push_back(octDecode({mesh_.octNormals[k], mesh_.octNormals[k + 1]}));
+  return mesh;
 }
 
 } // namespace qmesh

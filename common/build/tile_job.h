@@ -11,6 +11,7 @@
 #include "build/report.h"
 #include "codec/gzip.h"
 #include "codec/tile_mesh.h"
+#include "export/export_mesh.h"
 #include "options/build_options.h"
 #include "simplify/simplifier.h"
 
@@ -38,6 +39,9 @@ class TileJob {
   /// them, too.
   Status run(const HeightTile& tile, const LevelParams& level, const std::string& metadata,
              Border& border, TileResult& result, StepSeconds& seconds);
+
+  /// The last tile made, for other programs. REQUIRES: `tile` is that tile.
+  ExportMesh exportMesh(const HeightTile& tile) const;
 
  private:
   Status simplifyAndEncode(const HeightTile& tile, const LevelParams& level,

@@ -32,6 +32,8 @@ Status TileMaker::make(const HeightTile& tile, Border* border) {
                                : job_.run(tile, level, metadata, result_, seconds_));
   Stopwatch watch;
   QMESH_RETURN_IF_ERROR(shared_.sink.writeTile(id, result_.bytes));
+  if (shared_.meshes)
+    QMESH_RETURN_IF_ERROR(shared_.meshes(id, job_.exportMesh(tile)));
   seconds_[int(Step::write)] += watch.lap();
   levels_[std::size_t(id.z)].add(result_.stats);
   contentHash_ += result_.fingerprint;

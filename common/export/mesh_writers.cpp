@@ -132,4 +132,16 @@ std::string svgText(const ExportMesh& mesh, const MeshDrawing& drawing) {
   return text + "\"/>\n</svg>\n";
 }
 
+std::string meshText(const ExportMesh& mesh, MeshFormat format, MeshFrame frame) {
+  switch (format) {
+  case MeshFormat::obj:
+    return objText(mesh, frame);
+  case MeshFormat::off:
+    return offText(mesh, frame);
+  case MeshFormat::ply:
+    break;
+  }
+  return plyText(mesh, frame);
+}
+
 } // namespace qmesh

@@ -22,6 +22,9 @@ std::string plyText(const ExportMesh& mesh, MeshFrame frame);
 /// Geomview OFF: vertices and triangles.
 std::string offText(const ExportMesh& mesh, MeshFrame frame);
 
+/// One of the above.
+std::string meshText(const ExportMesh& mesh, MeshFormat format, MeshFrame frame);
+
 /// How a mesh is drawn: seen from above, north up, as wide and high as the box is in metres.
 struct MeshDrawing {
   int width = 1024; ///< pixels, 16 at least; the height follows, a quarter to four times of it

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "options/export_choices.h"
 #include "options/method_options.h"
 #include "options/option_values.h"
 
@@ -61,7 +62,9 @@ struct BuildOptions : OptionValues, MethodOptions {
   std::string cesium; ///< --cesium DIR
   std::string title;
   std::string copyright;
-  std::string report; ///< JSON file
+  std::string report;      ///< JSON file
+  std::string debugMeshes; ///< folder; empty: none
+  MeshFormat debugFormat = MeshFormat::ply;
 
   // Running
   std::string configFile; ///< already read when a parser returns
@@ -69,6 +72,8 @@ struct BuildOptions : OptionValues, MethodOptions {
   std::uint64_t memoryBytes = 512ull << 20;
   int blockTiles = 0; ///< 0: by memory and threads; else 2, 4, 8
   bool dryRun = false;
+  bool compare = false;                                   ///< methods instead of a run
+  std::optional<std::array<std::int64_t, 3>> compareTile; ///< zoom, column, row from the south
   bool quiet = false;
   bool verbose = false;
 };

@@ -12,6 +12,9 @@ enum class MeshFrame { local, ecef, lonlat };
 /// What the colour of a drawn triangle tells.
 enum class MeshShade { height, slope, none };
 
+/// The file format of a mesh for other programs.
+enum class MeshFormat { ply, obj, off };
+
 template <> struct EnumTable<MeshFrame> {
   static constexpr EnumRow<MeshFrame> kRows[] = {
       {MeshFrame::local, "local", "metres east, north and up from the middle of the tile"},
@@ -26,6 +29,14 @@ template <> struct EnumTable<MeshShade> {
        "green low, brown higher, white high; hills lit from the north-west"},
       {MeshShade::slope, "slope", "white flat, dark steep"},
       {MeshShade::none, "none", "white; lines only"},
+  };
+};
+
+template <> struct EnumTable<MeshFormat> {
+  static constexpr EnumRow<MeshFormat> kRows[] = {
+      {MeshFormat::ply, "ply", "Stanford PLY"},
+      {MeshFormat::obj, "obj", "Wavefront OBJ"},
+      {MeshFormat::off, "off", "Geomview OFF"},
   };
 };
 

@@ -26,25 +26,15 @@ Rows sharedRows(const std::vector<std::string>& names) {
 }
 
 Status setTile(Options& options, const std::string& text) {
-  std::array<std::int64_t, 3> tile{};
-  const std::vector<std::string_view> pieces = split(text, '/');
-  bool fine = pieces.size() == tile.size();
-  for (std::size_t k = 0; fine && k < tile.size(); ++k) {
-    const std::optional<std::int64_t> number = parseInteger(pieces[k]);
-    fine = number && *number >= 0 && *number <= (std::int64_t{2} << kDeepestZoom);
-    tile[k] = number.value_or(0);
-  }
-  if (!fine || tile[0] > kDeepestZoom)
-    return expected("Z/X/Y: zoom, column and row from the south, as in 12/706/2850");
-  options.tile = tile;
+  const auto tile = parseTileName(text);
+  if (!tile.ok())
+    return tile.status();
+  options.tile = *tile;
   return {};
 }
 
 std::string tileText(const Options& options) {
-  if (!options.tile)
-    return {};
-  const auto& [z, x, y] = *options.tile;
-  return std::to_string(z) + "/" + std::to_string(x) + "/" + std::to_string(y);
+  return tileNameText(options.tile);
 }
 
 Rows descriptionRows() {

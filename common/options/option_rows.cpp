@@ -235,6 +235,20 @@ Rows outputRows() {
           .whenUnset("none")
           .notInDriver()
           .help("Write a JSON report: tiles, triangles, bytes, errors reached and seconds."),
+      RowBuilder(Group::output, "debug-meshes")
+          .value("DIR")
+          .text(&Options::debugMeshes, Type::folder)
+          .whenUnset("none")
+          .advanced()
+          .notInDriver()
+          .help("Write every tile's mesh to DIR as well, for programs that show meshes: "
+                "DIR/{z}/{x}/{y}.ply, metres around the middle of the tile."),
+      RowBuilder(Group::output, "debug-format")
+          .value("FORMAT")
+          .choice(&Options::debugFormat)
+          .advanced()
+          .notInDriver()
+          .help("The format of --debug-meshes."),
       RowBuilder(Group::output, "force-kml", 'k')
           .noEffect("terrain has no KML")
           .help("Accepted as in gdal2tiles, without effect."),
@@ -277,6 +291,19 @@ Rows runningRows() {
           .flag(&Options::dryRun)
           .notInDriver()
           .help("Print tiles per zoom and estimates of size and time; write nothing."),
+      RowBuilder(Group::running, "compare")
+          .flag(&Options::compare)
+          .notInDriver()
+          .help("Compare all methods at the triangle count and at the error of --method: prints a "
+                "table and writes comparison.csv and pictures to OUTPUT, no terrain. On the tiles "
+                "of --min-x to --max-y, else on the busiest tile of the last zoom."),
+      RowBuilder(Group::running, "compare-tile")
+          .value("Z/X/Y")
+          .custom(Type::text, setCompareTile, compareTileText)
+          .whenUnset("chosen by --compare")
+          .advanced()
+          .notInDriver()
+          .help("Compare on this tile; the row counts from the south."),
       RowBuilder(Group::running, "quiet", 'q')
           .flag(&Options::quiet)
           .notInDriver()

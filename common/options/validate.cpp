@@ -61,6 +61,8 @@ Status validate(const BuildOptions& options, std::vector<std::string>& warnings)
     return Status(Code::usage, "--te-srs needs --te: the box it is the coordinate system of");
   if (!options.cesium.empty() && options.preview == Preview::none)
     warnings.push_back("--cesium has no effect without a preview page (-w cesium)");
+  if (options.compareTile && !options.compare)
+    return Status(Code::usage, "--compare-tile says where --compare works; name both");
   if (options.schedule != Schedule::fourColour && options.border == BorderMode::shared)
     warnings.push_back("--schedule has no effect without --border inherit");
   if (options.minZoom.value_or(0) > 0)

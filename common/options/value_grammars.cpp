@@ -225,4 +225,37 @@ std::string nodataText(const BuildOptions& options) {
   return fieldText(options.sourceNodata);
 }
 
+Result<std::array<std::int64_t, 3>> parseTileName(const std::string& text) {
+  std::array<std::int64_t, 3> tile{};
+  const std::vector<std::string_view> pieces = split(text, '/');
+  bool fine = pieces.size() == tile.size();
+  for (std::size_t k = 0; fine && k < tile.size(); ++k) {
+    const std::optional<std::int64_t> number = parseInteger(pieces[k]);
+    fine = number && *number >= 0 && *number <= (std::int64_t{2} << kDeepestZoom);
+    tile[k] = number.value_or(0);
+  }
+  if (!fine || tile[0] > kDeepestZoom)
+    return expected("Z/X/Y: zoom, column and row from the south, as in 12/706/2850");
+  return tile;
+}
+
+std::string tileNameText(const std::optional<std::array<std::int64_t, 3>>& tile) {
+  if (!tile)
+    return {};
+  const auto& [z, x, y] = *tile;
+  return std::to_string(z) + "/" + std::to_string(x) + "/" + std::to_string(y);
+}
+
+Status setCompareTile(BuildOptions& options, const std::string& text) {
+  const auto tile = parseTileName(text);
+  if (!tile.ok())
+    return tile.status();
+  options.compareTile = *tile;
+  return {};
+}
+
+std::string compareTileText(const BuildOptions& options) {
+  return tileNameText(options.compareTile);
+}
+
 } // namespace qmesh

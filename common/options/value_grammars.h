@@ -2,6 +2,9 @@
 // Copyright (c) 2026 the qmesh authors
 #pragma once
 
+#include <array>
+#include <cstdint>
+#include <optional>
 #include <string>
 
 #include "base/status.h"
@@ -39,6 +42,12 @@ std::string voidFillText(const BuildOptions& options);
 /// A power of two, 8..1024.
 Status setTileSize(BuildOptions& options, const std::string& text);
 std::string tileSizeText(const BuildOptions& options);
+
+/// "Z/X/Y" as in 12/706/2850: zoom, column and row from the south.
+Result<std::array<std::int64_t, 3>> parseTileName(const std::string& text);
+std::string tileNameText(const std::optional<std::array<std::int64_t, 3>>& tile);
+Status setCompareTile(BuildOptions& options, const std::string& text);
+std::string compareTileText(const BuildOptions& options);
 
 /// "auto", 2, 4 or 8.
 Status setBlockTiles(BuildOptions& options, const std::string& text);

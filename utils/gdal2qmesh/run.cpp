@@ -10,8 +10,10 @@
 
 #include "build/estimate.h"
 #include "build/tileset_builder.h"
+#include "compare_run.h"
 #include "console/interrupt.h"
 #include "gdalio/make_terrain.h"
+#include "gdalio/mesh_files.h"
 #include "preview.h"
 #include "summary.h"
 
@@ -77,8 +79,8 @@ Status build(const BuildOptions& options, const TerrainPlan& plan, Console& cons
   if (!sink.ok())
     return sink.status();
   console.message(startLine(options, plan.pyramid, plan.blocks));
-  const auto report = buildTileset({options, plan.pyramid, *plan.source}, plan.blocks, **sink,
-                                   sideFiles(options), [&](double done) {
+  const auto report = buildTileset({options, plan.pyramid, *plan.source, meshFiles(options)},
+                                   plan.blocks, **sink, sideFiles(options), [&](double done) {
                                      console.progress(done);
                                      return !stopRequested();
                                    });
@@ -101,6 +103,8 @@ Status build(const BuildOptions& options, const TerrainPlan& plan, Console& cons
 
 Status runBuild(const BuildOptions& options, Console& console) {
   GDALAllRegister();
+  if (options.compare)
+    return runCompare(options, console);
   if (!options.cesium.empty()) {
     const auto found = findCesium(options.cesium);
     if (!found.ok())
