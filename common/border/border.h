@@ -21,8 +21,9 @@ enum Edge { kWest = 0, kSouth = 1, kEast = 2, kNorth = 3 };
 /// height; where one place is not enough a node has two, on both sides of its real position.
 struct Border {
   std::array<std::vector<std::uint16_t>, 4> places;
-  /// Edges a method may still add nodes to, at the frame's positions (--border inherit, where no
-  /// neighbour was built before); all others are final.
+  /// Edges a method may still add nodes to, at the frame's positions or, as in the contract, at the
+  /// places on both sides of the real one (--border inherit, where no neighbour was built before);
+  /// all others are final.
   std::array<bool, 4> isFree{};
 
   std::vector<std::uint16_t>& operator[](Edge edge) { return places[std::size_t(edge)]; }

@@ -14,6 +14,8 @@ constexpr double kRoundingSlack = 1e-9;
 
 /// The bits of a node with a vertex at each of its four places.
 constexpr std::uint8_t kAllPlaces = 15;
+constexpr std::uint8_t kEastPlaces = 10;  ///< the two to the east of the node
+constexpr std::uint8_t kNorthPlaces = 12; ///< the two to the north
 
 } // namespace
 
@@ -62,19 +64,12 @@ bool ExactRefinement::insertWorst(NodeMesh& nodes) {
 
 /// Makes a node a vertex, or gives one that is another vertex, at the nearest free of the four
 /// quantized places around its real position. With all four it lies on a level square, whatever the
-/// slopes around: so rounding of places never keeps a node from the max error. False where none is
-/// free.
+/// slopes around: so rounding of places never keeps a node from the max error. A node of an edge
+/// has the two on the edge, as in the border contract. False where none is free.
 bool ExactRefinement::insertAtFreePlace(NodeMesh& nodes, const Candidate& candidate) {
   const int across = frame_->cells() + 1;
   const int i = candidate.node % across, j = candidate.node / across;
   std::uint8_t& used = places_[std::size_t(candidate.node)];
-  if (isOnEdge(i, j)) { // at the frame's place, where the neighbour will look for it
-    if (used != 0)
-      return false;
-    used = kAllPlaces;
-    nodes.triangulation().insert(nodes.makeVertex(i, j), candidate.triangle);
-    return true;
-  }
   const int west = int(frame_->nodeU(i)), south = int(frame_->nodeV(j));
   const double du = frame_->nodeU(i) - west, dv = frame_->nodeV(j) - south;
   int best = -1;
@@ -99,6 +94,12 @@ bool ExactRefinement::insertAtFreePlace(NodeMesh& nodes, const Candidate& candid
 void ExactRefinement::countPlaces(const Triangulation& mesh) {
   const int n = frame_->cells();
   places_.assign(std::size_t(index(n, n)) + 1, 0);
+  for (int k = 0; k <= n; ++k) { // what is not on the edge itself is no place of its nodes
+    places_[std::size_t(index(0, k))] |= kEastPlaces;
+    places_[std::size_t(index(n, k))] |= kEastPlaces;
+    places_[std::size_t(index(k, 0))] |= kNorthPlaces;
+    places_[std::size_t(index(k, n))] |= kNorthPlaces;
+  }
   for (std::size_t v = 0; v < mesh.vertices().size(); ++v) {
     if (mesh.leaving(std::int32_t(v)) == Triangulation::kNone)
       continue;
@@ -108,15 +109,8 @@ void ExactRefinement::countPlaces(const Triangulation& mesh) {
     if ((east | north) >> 1 != 0)
       continue;
     std::uint8_t& used = places_[std::size_t(index(vertex.i, vertex.j))];
-    used = severalPlaces_ && !isOnEdge(vertex.i, vertex.j)
-               ? std::uint8_t(used | 1 << (2 * north + east))
-               : kAllPlaces;
+    used = severalPlaces_ ? std::uint8_t(used | 1 << (2 * north + east)) : kAllPlaces;
   }
-}
-
-bool ExactRefinement::isOnEdge(int i, int j) const {
-  const int n = frame_->cells();
-  return i == 0 || j == 0 || i == n || j == n;
 }
 
 /// Inner nodes and those of free edges.

@@ -41,7 +41,6 @@ class ExactRefinement {
   NodeError worstOf(const Triangulation& mesh, std::int32_t t, double tolerance) const;
   bool insertAtFreePlace(NodeMesh& nodes, const Candidate& candidate);
   void countPlaces(const Triangulation& mesh);
-  bool isOnEdge(int i, int j) const;
   bool mayBecomeVertex(int i, int j) const;
   int index(int i, int j) const { return j * (frame_->cells() + 1) + i; }
 
