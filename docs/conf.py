@@ -20,6 +20,8 @@ myst_heading_anchors = 3
 exclude_patterns = ["reference/*", "_build"]
 source_suffix = {".md": "markdown"}
 nitpicky = True
+# Options in the text keep their two hyphens.
+smartquotes = False
 
 html_theme = "furo"
 html_title = f"qmesh {release}"
