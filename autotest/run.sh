@@ -103,7 +103,7 @@ stage() {
 
 # The build tree of a preset, its unit tests included.
 build_preset() {
-  cmake --preset "$1" -DQMESH_BUILD_TESTS=ON && cmake --build --preset "$1" --parallel "$cores"
+  cmake --preset "$1" && cmake --build --preset "$1" --parallel "$cores"
 }
 
 unit_tests() {
@@ -177,6 +177,10 @@ if [ "$mode" != quick ]; then
     stage count_pytest "QGIS" 10 /usr/bin/python3 -m pytest -rs -q -p no:cacheprovider autotest/qgis
   stage count_one "newest GDAL headers" 8 autotest/driver/newest_gdal.sh
   stage count_one "benchmark programs" 5 bench_programs
+  stage count_none "build without CGAL" 15 build_preset without-cgal &&
+    stage count_ctest "unit tests without CGAL" 15 unit_tests build-without-cgal &&
+    stage count_pytest "methods without CGAL" 10 \
+      env QMESH_BIN="$root/build-without-cgal/bin/gdal2qmesh" "${pytest[@]}" autotest/utils/test_methods.py
   stage count_none "build with sanitizers" 15 build_preset sanitize &&
     stage count_ctest "unit tests with sanitizers" 15 unit_tests build-sanitize
   stage count_one "fuzzing" 8 autotest/fuzz/run.sh build-fuzz 20
