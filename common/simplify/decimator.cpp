@@ -57,12 +57,16 @@ bool Decimator::tryRemove(Triangulation& mesh, NodeHeights& heights, std::int32_
                           float tolerance) {
   readRing(mesh, v);
   const NodeVertex vertex = mesh.vertex(v);
+  // Across the planes a larger error in height may be all right.
+  const float limit = distance_.isHeight() ? tolerance : std::numeric_limits<float>::infinity();
   targets_.clear();
   for (std::size_t m = 0; m < ring_.size(); ++m) {
     float error = 0;
-    if (fan(m, vertex.corner.height, error) && (error <= tolerance || !distance_.isHeight()))
+    if (fan(m, vertex.corner.height, limit, error))
       targets_.push_back({error, int(m)});
   }
+  if (targets_.empty())
+    return false;
   // The best fit first: it passes most often, so that one scan is enough.
   std::sort(targets_.begin(), targets_.end(), [](const Target& a, const Target& b) {
     return a.error != b.error ? a.error < b.error : a.ringIndex < b.ringIndex;
@@ -94,8 +98,8 @@ void Decimator::readRing(const Triangulation& mesh, std::int32_t v) {
 /// False where corner m of the ring does not see all others. Else the fan of triangles from it
 /// fills the ring, all of them counter-clockwise: none of their edges exists elsewhere, and the
 /// mesh stays manifold. `error`: how far the fan is from the vertex it would replace, of the given
-/// height.
-bool Decimator::fan(std::size_t m, double height, float& error) const {
+/// height; also false where that is above the limit.
+bool Decimator::fan(std::size_t m, double height, float limit, float& error) const {
   const Neighbour& apex = ring_[m];
   std::int32_t toHere = cross(apex, around(m + 1));
   for (std::size_t k = m + 1; k + 1 < m + ring_.size(); ++k) {
@@ -105,9 +109,12 @@ bool Decimator::fan(std::size_t m, double height, float& error) const {
     const std::int64_t area = std::int64_t(a.area) - toNext + toHere;
     if (area <= 0)
       return false;
-    if (toHere >= 0 && toNext <= 0)
+    if (toHere >= 0 && toNext <= 0) {
       error = float(std::abs(
           (a.area * apex.height - toNext * a.height + toHere * b.height) / double(area) - height));
+      if (error > limit)
+        return false;
+    }
     toHere = toNext;
   }
   return true;
@@ -120,7 +127,7 @@ bool Decimator::isWithin(const Triangulation& mesh, const NodeHeights& heights, 
     const SpanCorner& a = mesh.vertex(around(k).vertex).corner;
     const SpanCorner& b = mesh.vertex(around(k + 1).vertex).corner;
     const auto height = float(tolerance * distance_.heightPerDistance(apex, a, b));
-    if (isTooSteep(apex, a, b, height) || heights.worst(apex, a, b, height).node >= 0)
+    if (isTooSteep(apex, a, b, height) || !heights.areWithin(apex, a, b, height))
       return false;
   }
   return true;

@@ -45,7 +45,7 @@ class Decimator {
 
   bool tryRemove(Triangulation& mesh, NodeHeights& heights, std::int32_t v, float tolerance);
   void readRing(const Triangulation& mesh, std::int32_t v);
-  bool fan(std::size_t m, double height, float& error) const;
+  bool fan(std::size_t m, double height, float limit, float& error) const;
   bool isWithin(const Triangulation& mesh, const NodeHeights& heights, std::size_t m,
                 float tolerance) const;
   const Neighbour& around(std::size_t k) const {

@@ -17,10 +17,8 @@ MetricScale metricScale(const HeightTile& tile) {
           degreesNorth * wgs84::metresPerDegreeNorth(latitude)};
 }
 
-double ErrorDistance::heightPerDistance(const SpanCorner& a, const SpanCorner& b,
-                                        const SpanCorner& c) const {
-  if (!across_)
-    return 1;
+double ErrorDistance::heightAcross(const SpanCorner& a, const SpanCorner& b,
+                                   const SpanCorner& c) const {
   const double bu = b.u - a.u, bv = b.v - a.v, bh = b.height - a.height;
   const double cu = c.u - a.u, cv = c.v - a.v, ch = c.height - a.height;
   const double area = bu * cv - bv * cu;

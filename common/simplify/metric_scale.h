@@ -29,9 +29,13 @@ class ErrorDistance {
   bool isHeight() const { return !across_; }
 
   /// Metres of height that are a metre of distance from a triangle: 1 / cos s, or 1.
-  double heightPerDistance(const SpanCorner& a, const SpanCorner& b, const SpanCorner& c) const;
+  double heightPerDistance(const SpanCorner& a, const SpanCorner& b, const SpanCorner& c) const {
+    return across_ ? heightAcross(a, b, c) : 1;
+  }
 
  private:
+  double heightAcross(const SpanCorner& a, const SpanCorner& b, const SpanCorner& c) const;
+
   bool across_ = false;
   MetricScale scale_;
 };

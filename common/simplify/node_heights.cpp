@@ -40,7 +40,8 @@ QMESH_INLINE float largestLane(const Floats& values) {
   std::memcpy(&low, &values, sizeof low);
   std::memcpy(&high, reinterpret_cast<const char*>(&values) + sizeof low, sizeof high);
   const Lanes<float>::HalfReals pairs = low > high ? low : high;
-  return std::max(std::max(pairs[0], pairs[1]), std::max(pairs[2], pairs[3]));
+  const auto larger = [](float a, float b) { return a > b ? a : b; };
+  return larger(larger(pairs[0], pairs[1]), larger(pairs[2], pairs[3]));
 }
 
 /// The lane with a given error; of several that of the first block, then the first lane.
@@ -68,16 +69,40 @@ NodeError findNode(const SpanList<float>& list, std::int32_t stride, const Block
   return {(list.firstRow + r) * stride + column, best.error};
 }
 
-QMESH_VECTOR_CLONES NodeError scanTriangle(const ScanInput& in) {
-  SpanList<float> list;
+/// By lanes: the largest error above a tolerance, and where.
+struct LargestErrors {
+  Floats worst;
+  Ints blocks = Ints{} + kNoBlock;
+  Ints block = {}; ///< number of the next one
+
+  QMESH_INLINE explicit LargestErrors(float tolerance) : worst(Floats{} + tolerance) {}
+  QMESH_INLINE void add(const Floats& error, const Ints& inside) {
+    const Ints worse = (error > worst) & inside;
+    worst = worse ? error : worst;
+    blocks = worse ? block : blocks;
+    block += 1;
+  }
+};
+
+/// By lanes: whether an error is above a tolerance.
+struct AnyError {
+  Floats tolerance;
+  Ints found = {};
+
+  QMESH_INLINE explicit AnyError(float above) : tolerance(Floats{} + above) {}
+  QMESH_INLINE void add(const Floats& error, const Ints& inside) {
+    found |= (error > tolerance) & inside;
+  }
+};
+
+/// Adds the errors of all nodes of a triangle. A masked node is NaN and compares false.
+template <class Errors>
+QMESH_INLINE void scanTriangle(const ScanInput& in, SpanList<float>& list, Errors& errors) {
   const auto slope = float(heightPerColumn(*in.a, *in.b, *in.c, in.columnUnits));
   listSpans(*in.a, *in.b, *in.c, in.nodeV, slope, list);
-
   const Ints lanes = {0, 1, 2, 3, 4, 5, 6, 7};
   const Floats rise = __builtin_convertvector(lanes, Floats) * slope;
-  Floats worst = Floats{} + in.tolerance;
-  Ints blocks = Ints{} + kNoBlock;
-  Ints block = {};
+  Errors sum = errors;
   const float* row = in.heights + std::ptrdiff_t(list.firstRow) * in.stride;
   for (int r = 0; r < list.rows; ++r, row += in.stride) {
     const float* from = row + list.begin[r];
@@ -87,21 +112,32 @@ QMESH_VECTOR_CLONES NodeError scanTriangle(const ScanInput& in) {
     do { // also for a row without nodes: cheaper than to foresee which one it is
       Floats error;
       std::memcpy(&error, from, sizeof error);
-      error = Floats(Ints(plane - error) & 0x7fffffff);
-      // A masked node is NaN and compares false.
-      const Ints worse = (error > worst) & (lanes < left);
-      worst = worse ? error : worst;
-      blocks = worse ? block : blocks;
+      sum.add(Floats(Ints(plane - error) & 0x7fffffff), lanes < left);
       plane += kLanes * slope;
       left -= kLanes;
-      block += 1;
       from += kLanes;
     } while (from < end);
   }
-  const float largest = largestLane(worst);
+  errors = sum;
+}
+
+QMESH_VECTOR_CLONES NodeError findWorst(const ScanInput& in) {
+  SpanList<float> list;
+  LargestErrors errors(in.tolerance);
+  scanTriangle(in, list, errors);
+  const float largest = largestLane(errors.worst);
   if (largest == in.tolerance)
     return {};
-  return findNode(list, in.stride, laneOf(largest, worst, blocks));
+  return findNode(list, in.stride, laneOf(largest, errors.worst, errors.blocks));
+}
+
+QMESH_VECTOR_CLONES bool findAny(const ScanInput& in) {
+  SpanList<float> list;
+  AnyError errors(in.tolerance);
+  scanTriangle(in, list, errors);
+  std::uint64_t found[sizeof errors.found / sizeof(std::uint64_t)];
+  std::memcpy(found, &errors.found, sizeof found);
+  return (found[0] | found[1] | found[2] | found[3]) != 0;
 }
 
 } // namespace
@@ -138,7 +174,13 @@ bool NodeHeights::isMasked(std::int32_t node) const {
 
 NodeError NodeHeights::worst(const SpanCorner& a, const SpanCorner& b, const SpanCorner& c,
                              float tolerance) const {
-  return scanTriangle(
+  return findWorst(
+      {&a, &b, &c, nodeV_.data(), heights_.data(), stride_, unitsPerColumn(cells_), tolerance});
+}
+
+bool NodeHeights::areWithin(const SpanCorner& a, const SpanCorner& b, const SpanCorner& c,
+                            float tolerance) const {
+  return !findAny(
       {&a, &b, &c, nodeV_.data(), heights_.data(), stride_, unitsPerColumn(cells_), tolerance});
 }
 

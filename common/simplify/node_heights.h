@@ -38,6 +38,9 @@ class NodeHeights {
   /// tolerance; of equal ones the smallest index. Corner heights are above the frame's minimum.
   NodeError worst(const SpanCorner& a, const SpanCorner& b, const SpanCorner& c,
                   float tolerance) const;
+  /// True where worst() would find none; faster.
+  bool areWithin(const SpanCorner& a, const SpanCorner& b, const SpanCorner& c,
+                 float tolerance) const;
 
   /// The max error less what the float32 arithmetic of the scan may get wrong, metres.
   float scanTolerance(double maxError) const {

@@ -78,8 +78,10 @@ void Triangulation::linkTwins() {
 
 std::int32_t Triangulation::newTriangle() {
   const std::int32_t t = triangleSlots();
-  origin_.resize(origin_.size() + 3, kNone);
-  twin_.resize(twin_.size() + 3, kNone);
+  for (int k = 0; k < 3; ++k) {
+    origin_.push_back(kNone);
+    twin_.push_back(kNone);
+  }
   isChanged_.push_back(0);
   return t;
 }

@@ -61,7 +61,7 @@ int VertexRemoval::bestEar(const Triangulation& mesh, const NodeHeights& heights
     const SpanCorner& after = corner(mesh, k + 1);
     const std::int64_t length = squaredLength(before, after);
     if ((best < 0 || length < shortest) && isEar(mesh, k) &&
-        heights.worst(before, corner(mesh, k), after, tolerance).node < 0) {
+        heights.areWithin(before, corner(mesh, k), after, tolerance)) {
       best = int(k);
       shortest = length;
     }

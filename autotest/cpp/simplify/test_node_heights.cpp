@@ -79,6 +79,7 @@ TEST(NodeHeights, FindsTheWorstNodeOfATriangle) {
       const double tolerance = trial % 3 * 400;
       const NodeError expected = plainWorst(heights, tile, frame, masked, t, tolerance);
       const NodeError worst = heights.worst(t[0], t[1], t[2], float(tolerance));
+      EXPECT_EQ(heights.areWithin(t[0], t[1], t[2], float(tolerance)), worst.node < 0) << place;
       if (std::abs(expected.error - tolerance) < 0.01)
         continue;
       // Nodes exactly on an edge may belong to the neighbour: those the plain loop leaves out.

@@ -47,7 +47,7 @@ bool StarJudge::accepts(std::uint32_t first, std::uint32_t second, const Collaps
   };
   const auto isWithin = [&](const TinTriangle& t) {
     const Corners c = cornersOf(t);
-    return vanishes(c) || heights_.worst(*c[0], *c[1], *c[2], *tolerance_).node < 0;
+    return vanishes(c) || heights_.areWithin(*c[0], *c[1], *c[2], *tolerance_);
   };
   return std::all_of(star.begin(), star.end(), isUpright) &&
          (!tolerance_ || std::all_of(star.begin(), star.end(), isWithin));
