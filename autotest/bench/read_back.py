@@ -3,11 +3,13 @@
 # Copyright (c) 2026 the qmesh authors
 """Reading a level of terrain whole through the GDAL driver, next to the same raster in tiled GeoTIFFs.
 
-    read_back.py [--runs 5] [--bin build/bin/gdal2qmesh] [--plugins build/gdalplugins] [--dem FILE --zoom 12]
+    read_back.py [--runs 5] [--cold] [--bin build/bin/gdal2qmesh] [--plugins build/gdalplugins]
+                 [--dem FILE --zoom 12]
 
 Prints a table: wall and CPU seconds of opening and reading all cells (median of the runs, each in a
-process of its own, files in the system's cache), bytes and calls of read. The default DEM is bigtujunga
-in QMESH_TEST_DATA. Needs a Python with osgeo.gdal.
+process of its own), bytes and calls of read. Files are in the system's cache; with --cold they are put
+out of it before every run (posix_fadvise; what the system knows of folders stays). The default DEM is
+bigtujunga in QMESH_TEST_DATA. Needs a Python with osgeo.gdal.
 """
 
 import argparse
@@ -48,9 +50,19 @@ def read(path, plugins):
     return json.loads(done.stdout)
 
 
+def forget(path):
+    """Puts a file, or those of a folder, out of the system's cache."""
+    for file in [path] if path.is_file() else path.rglob("*"):
+        if file.is_file():
+            with open(file, "rb") as stream:
+                os.fsync(stream.fileno())
+                os.posix_fadvise(stream.fileno(), 0, 0, os.POSIX_FADV_DONTNEED)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--runs", type=int, default=5)
+    parser.add_argument("--cold", action="store_true")
     parser.add_argument("--bin", default=str(ROOT / "build" / "bin" / "gdal2qmesh"))
     parser.add_argument("--plugins", default=str(ROOT / "build" / "gdalplugins"))
     parser.add_argument("--dem", default=str(DATA / "bigtujunga_srtm_30m_utm11n.tif"))
@@ -70,7 +82,11 @@ def main():
         print("| raster | wall s | CPU s | MB read | calls of read | Mcells/s |")
         print("|---|---|---|---|---|---|")
         for name, path in places.items():
-            rows = [read(path, options.plugins) for _ in range(options.runs)]
+            rows = []
+            for _ in range(options.runs):
+                if options.cold:
+                    forget(path)
+                rows.append(read(path, options.plugins))
             row = {key: statistics.median(r[key] for r in rows) for key in rows[0]}
             print(f"| {name} | {row['wall']:.3f} | {row['cpu']:.3f} | {row['bytes'] / 1e6:.2f} | "
                   f"{row['reads']:.0f} | {row['cells'] / row['wall'] / 1e6:.1f} |")

@@ -167,7 +167,8 @@ Result<TerrainRaster::Heights> TerrainRaster::heightsOf(TileId tile) {
   if (!*mesh)
     return Heights();
   const Heights heights = evaluate(**mesh, tile, tile);
-  own_.put(tile, heights, heights->size() * sizeof(float));
+  if (registration_ == Registration::node) // only those share places with their neighbours
+    own_.put(tile, heights, heights->size() * sizeof(float));
   return heights;
 }
 

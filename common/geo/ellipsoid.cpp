@@ -11,13 +11,10 @@ constexpr double kSemiMajorSquared = kSemiMajor * kSemiMajor;
 constexpr double kSemiMinorSquared = kSemiMinor * kSemiMinor;
 
 /// Distance from the surface to the axis along the normal: the prime vertical radius, metres.
-double primeVerticalRadius(double sine, double cosine) {
-  return kSemiMajorSquared /
-         std::sqrt(kSemiMajorSquared * cosine * cosine + kSemiMinorSquared * sine * sine);
-}
 double primeVerticalRadius(double latDegrees) {
-  const double lat = latDegrees * kRadiansPerDegree;
-  return primeVerticalRadius(std::sin(lat), std::cos(lat));
+  const double s = std::sin(latDegrees * kRadiansPerDegree);
+  const double c = std::cos(latDegrees * kRadiansPerDegree);
+  return kSemiMajorSquared / std::sqrt(kSemiMajorSquared * c * c + kSemiMinorSquared * s * s);
 }
 
 } // namespace
@@ -29,13 +26,11 @@ Vec3 normal(double lonDegrees, double latDegrees) {
 }
 
 Vec3 toEcef(double lonDegrees, double latDegrees, double heightMetres) {
-  const double lon = lonDegrees * kRadiansPerDegree;
-  const double lat = latDegrees * kRadiansPerDegree;
-  const double sine = std::sin(lat), cosine = std::cos(lat);
-  const double radius = primeVerticalRadius(sine, cosine);
+  const Vec3 n = normal(lonDegrees, latDegrees);
+  const double radius = primeVerticalRadius(latDegrees);
   const double equatorial = radius + heightMetres;
   const double polar = radius * (kSemiMinorSquared / kSemiMajorSquared) + heightMetres;
-  return {cosine * std::cos(lon) * equatorial, cosine * std::sin(lon) * equatorial, sine * polar};
+  return {n.x * equatorial, n.y * equatorial, n.z * polar};
 }
 
 Geodetic fromEcef(const Vec3& position) {
