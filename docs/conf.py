@@ -17,7 +17,7 @@ extensions = ["myst_parser"]
 myst_enable_extensions = ["colon_fence", "deflist"]
 myst_heading_anchors = 3
 # Parts that other pages include.
-exclude_patterns = ["reference/*", "_build"]
+exclude_patterns = ["reference/*", "algorithms/comparison.md", "_build"]
 source_suffix = {".md": "markdown"}
 nitpicky = True
 # Options in the text keep their two hyphens.

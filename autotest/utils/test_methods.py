@@ -12,6 +12,7 @@ import harness
 import promises
 
 BOUNDED = {"greedy", "collapse"}  # within the max error with their defaults
+BOUNDED_WHEN_ASKED = {"quadtree"}  # with --max-error
 UNBOUNDED = {"delaunay", "qem", "quadtree", "grid", "random", "hierarchy", "wlop"}
 DEMS = {
     "small_bigtujunga": "12-",
@@ -87,6 +88,18 @@ def test_quadtree_keeps_a_max_error_that_is_asked_for(tile_set, dem, name):
     tiles = tile_set(name, *options("quadtree", name), "--max-error", "20000/2^z")
     nodes = promises.nodes_of(dem(name), "geodetic", cells(), max(tiles.levels()))
     promises.none(promises.bounded(tiles, nodes, lambda z: 20000 / 2**z)[0])
+
+
+@pytest.mark.parametrize("name", DEMS)
+@pytest.mark.parametrize("border", ["shared", "inherit"])
+@pytest.mark.parametrize("method", sorted(BOUNDED_WHEN_ASKED))
+def test_the_error_is_bounded_when_asked(tile_set, dem, method, border, name):
+    """P2 for the methods that go by their own measure unless --max-error is given."""
+    asked = ("--max-error", "20000/2^z")
+    tiles = tile_set(name, *options(method, name, border), *asked)
+    nodes = promises.nodes_of(dem(name), "geodetic", cells(), max(tiles.levels()))
+    promises.none(promises.bounded(tiles, nodes, lambda z: 20000 / 2**z)[0])
+    promises.none(promises.valid(tiles))
 
 
 @pytest.mark.parametrize("border", ["shared", "inherit"])

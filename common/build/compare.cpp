@@ -15,13 +15,15 @@ namespace {
 
 /// How near a method is brought to its target.
 constexpr double kTolerance = 0.01;
+constexpr const char* kMaxErrorOption = "max-error";
 
 /// One method's way to its three rows.
 class MethodComparer {
  public:
   MethodComparer(const std::vector<NodeWindow>& windows, const TilesetInput& input,
                  const SimplifierInfo& info, Comparison& comparison)
-      : trial_(windows, input, info), comparison_(comparison) {}
+      : trial_(windows, input, info, info.mainOption),
+        bounded_(windows, input, info, kMaxErrorOption), comparison_(comparison) {}
 
   /// `step` is told after each trial and returns false to stop.
   Status run(const std::function<bool()>& step) {
@@ -41,7 +43,7 @@ class MethodComparer {
     return target == CompareTarget::count ? double(outcome.triangles) : outcome.maxError;
   }
 
-  /// The row at the value of the main option that comes nearest to the target.
+  /// The row at the value of an option that comes nearest to the target.
   Result<ComparedMethod> tuned(CompareTarget target) {
     const double wanted =
         target == CompareTarget::count ? double(comparison_.triangles) : comparison_.maxError;
@@ -55,24 +57,35 @@ class MethodComparer {
         row->reached = miss <= kTolerance * wanted;
       return row;
     }
-    const MethodTrial::Scale scale = trial_.scale();
+    auto row = tunedBy(trial_, target, wanted);
+    if (!row.ok() || target == CompareTarget::count || row->option == kMaxErrorOption)
+      return row;
+    auto bounded = tunedBy(bounded_, target, wanted);
+    const bool better =
+        bounded.ok() && bounded->reached && (!row->reached || bounded->triangles < row->triangles);
+    return better || !bounded.ok() ? bounded : row;
+  }
+
+  Result<ComparedMethod> tunedBy(MethodTrial& trial, CompareTarget target, double wanted) {
+    const MethodTrial::Scale scale = trial.scale();
     const auto found =
         searchMonotone(scale.low, scale.high, wanted, kTolerance, [&](double x) -> Result<double> {
           if (!step_())
             return Status(Code::interrupted, "stopped before the comparison was complete");
-          const auto outcome = trial_.run(scale.valueText(x));
+          const auto outcome = trial.run(scale.valueText(x));
           return outcome.ok() ? Result<double>(outcomeOf(*outcome, target))
                               : Result<double>(outcome.status());
         });
     if (!found.ok())
       return found.status();
-    auto row = trial_.measure(scale.valueText(found->value));
+    auto row = trial.measure(scale.valueText(found->value));
     if (row.ok())
       row->reached = found->reached;
     return row;
   }
 
   MethodTrial trial_;
+  MethodTrial bounded_; ///< by the max error, which some methods take beside their own option
   Comparison& comparison_;
   std::function<bool()> step_;
 };
@@ -99,7 +112,7 @@ Result<TileId> busiestTile(const TilesetInput& input) {
   std::vector<NodeWindow> window(1);
   for (const TileId id : tiles) {
     QMESH_RETURN_IF_ERROR(sampleTile(input, **nodes, id, window.front()));
-    MethodTrial trial(window, input, *findSimplifier(input.options.method));
+    MethodTrial trial(window, input, *findSimplifier(input.options.method), "");
     const auto outcome = trial.run("");
     if (!outcome.ok())
       return outcome.status();
@@ -143,7 +156,7 @@ Result<Comparison> compareMethods(const TilesetInput& input, const std::vector<T
   Comparison comparison;
   comparison.tiles = tiles;
   const auto reference =
-      MethodTrial(*windows, input, *findSimplifier(input.options.method)).run("");
+      MethodTrial(*windows, input, *findSimplifier(input.options.method), "").run("");
   if (!reference.ok())
     return reference.status();
   comparison.triangles = reference->triangles;

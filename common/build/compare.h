@@ -53,9 +53,10 @@ inline constexpr std::uint64_t kMostComparedTiles = 64;
 inline constexpr std::uint64_t kTilesLookedAt = 64;
 
 /// Every method of this build at every target: the option that decides how many triangles a method
-/// makes (SimplifierInfo::mainOption) is searched for on a logarithmic scale; a method that cannot
-/// reach the target, or has no such option, says so and shows what comes nearest. Borders are
-/// those of --border shared. One thread.
+/// makes (SimplifierInfo::mainOption) is searched for on a logarithmic scale; where the max error
+/// is the target, --max-error is tried as well. A method that cannot reach the target, or has no
+/// such option, says so and shows what comes nearest. Borders are those of --border shared. One
+/// thread.
 Result<Comparison> compareMethods(const TilesetInput& input, const std::vector<TileId>& tiles,
                                   const Progress& progress);
 

@@ -18,6 +18,7 @@ namespace {
 constexpr double kLeastValue = 1e-4;
 constexpr double kMostValue = 1e7;
 constexpr double kPercent = 100;
+constexpr const char* kMaxErrorOption = "max-error";
 constexpr const char* kRemovedPercent = "random-percent";
 
 OptionRow rowOf(const std::string& name) {
@@ -55,8 +56,8 @@ void append(const ExportMesh& tile, ExportMesh& all) {
 } // namespace
 
 MethodTrial::MethodTrial(const std::vector<NodeWindow>& windows, const TilesetInput& input,
-                         const SimplifierInfo& info)
-    : windows_(windows), input_(input), info_(info), option_(rowOf(info.mainOption)) {}
+                         const SimplifierInfo& info, const std::string& option)
+    : windows_(windows), input_(input), info_(info), option_(rowOf(option)) {}
 
 std::string MethodTrial::Scale::valueText(double x) const {
   return formatNumber(takenFrom > 0 ? takenFrom - x : x);
@@ -81,7 +82,7 @@ Result<MethodTrial::Setting> MethodTrial::settingAt(const std::string& value) co
   if (value.empty())
     return setting;
   QMESH_RETURN_IF_ERROR(option_.set(setting.options, value));
-  if (option_.name == "max-error") {
+  if (option_.name == kMaxErrorOption) {
     const auto spec = LevelSpec::parse(value);
     if (!spec.ok())
       return spec.status();

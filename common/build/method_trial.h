@@ -18,12 +18,13 @@ struct TrialOutcome {
   double maxError = 0; ///< metres
 };
 
-/// Tries one method on a few tiles with different values of its main option.
+/// Tries one method on a few tiles with different values of one option.
 class MethodTrial {
  public:
-  /// `windows`: one tile each, voids filled; they and the input live as long as this.
+  /// `windows`: one tile each, voids filled; they and the input live as long as this. `option` is
+  /// a SPEC of the method, empty for none.
   MethodTrial(const std::vector<NodeWindow>& windows, const TilesetInput& input,
-              const SimplifierInfo& info);
+              const SimplifierInfo& info, const std::string& option);
 
   /// The arguments of a search and what they mean: a percentage that is taken away is searched for
   /// by what is left.
@@ -38,7 +39,7 @@ class MethodTrial {
   bool canBeTuned() const { return !option_.name.empty(); }
   Scale scale() const;
 
-  /// The method with its main option at a value; empty: with the run's options.
+  /// The method with the option at a value; empty: with the run's options.
   Result<TrialOutcome> run(const std::string& value);
 
   /// The same with everything that is told of it.
@@ -55,7 +56,7 @@ class MethodTrial {
   const std::vector<NodeWindow>& windows_;
   const TilesetInput& input_;
   const SimplifierInfo& info_;
-  OptionRow option_; ///< the main option; without a name: none
+  OptionRow option_; ///< without a name: none
 };
 
 } // namespace qmesh
