@@ -10,6 +10,7 @@ import pytest
 
 import harness
 import promises
+from infos import CLEAN, findings
 
 BOUNDED = {"greedy", "collapse"}  # within the max error with their defaults
 BOUNDED_WHEN_ASKED = {"quadtree"}  # with --max-error
@@ -114,6 +115,20 @@ def test_the_bytes_do_not_depend_on_the_work(dem, tile_set, tmp_path, method, na
     )
     run.succeeded()
     assert harness.tree(other) == harness.tree(usual.folder)
+
+
+@pytest.mark.parametrize("border", ["shared", "inherit"])
+@pytest.mark.parametrize("profile", ["geodetic", "mercator"])
+@pytest.mark.parametrize("method", METHODS)
+def test_a_set_of_the_shipped_dem_is_without_findings(tmp_path, method, profile, border):
+    """From the globe to the terrain: nothing but notes from qmeshinfo --validate."""
+    usual = (profile, border) == ("geodetic", "shared")
+    size = () if harness.FULL or usual else ("--tilesize", 64, "-z", "0-9")
+    harness.gdal2qmesh("-q", "--method", method, "-p", profile, "--border", border, *size,
+                       harness.SHIPPED, tmp_path / "set").succeeded()
+    found, code = findings(tmp_path / "set")
+    assert [f for f in found.values() if f["severity"] != "note"] == []
+    assert code == CLEAN
 
 
 def triangles(tiles):

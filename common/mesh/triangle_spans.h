@@ -30,6 +30,17 @@ inline std::int64_t doubledArea(const SpanCorner& a, const SpanCorner& b, const 
   return std::int64_t(b.u - a.u) * (c.v - a.v) - std::int64_t(b.v - a.v) * (c.u - a.u);
 }
 
+/// Distance of two vertices in (u, v), squared; exact.
+inline std::int64_t squaredLength(const SpanCorner& a, const SpanCorner& b) {
+  const std::int64_t u = a.u - b.u, v = a.v - b.v;
+  return u * u + v * v;
+}
+
+/// True where a vertex lies on no edge of the square.
+inline bool isInner(const SpanCorner& corner) {
+  return corner.u > 0 && corner.v > 0 && corner.u < kQuantizedMax && corner.v < kQuantizedMax;
+}
+
 /// Height of a triangle's plane at a place, metres.
 inline double planeHeight(const SpanCorner& a, const SpanCorner& b, const SpanCorner& c,
                           const SpanCorner& place) {

@@ -6,13 +6,11 @@
 #include <cmath>
 #include <limits>
 
+#include "simplify/removal_pass.h"
+
 namespace qmesh {
 
 namespace {
-
-bool isInner(const SpanCorner& corner) {
-  return corner.u > 0 && corner.v > 0 && corner.u < kQuantizedMax && corner.v < kQuantizedMax;
-}
 
 /// Twice the area of the triangle of the origin and two places; below 2^31 within the square.
 template <class Place> std::int32_t cross(const Place& a, const Place& b) {
@@ -31,20 +29,16 @@ bool isTooSteep(const SpanCorner& a, const SpanCorner& b, const SpanCorner& c, f
 
 } // namespace
 
-int Decimator::run(Triangulation& mesh, NodeHeights& heights, int keptCells, float tolerance,
-                   const ErrorDistance& distance) {
+int Decimator::run(Triangulation& mesh, NodeHeights& heights, const CurvatureGrid& grid,
+                   float tolerance, const ErrorDistance& distance) {
   distance_ = distance;
-  int removed = 0;
-  for (std::int32_t v = 0; v < std::int32_t(mesh.vertices().size()); ++v) {
-    const NodeVertex& vertex = mesh.vertex(v);
-    const bool kept = vertex.i % keptCells == 0 && vertex.j % keptCells == 0;
-    if (!kept && isInner(vertex.corner) && mesh.leaving(v) != Triangulation::kNone)
-      removed += tryRemove(mesh, heights, v, tolerance) ? 1 : 0;
-  }
-  return removed;
+  grid_ = grid;
+  return removeVertices(mesh, grid,
+                        [&](std::int32_t v) { return tryRemove(mesh, heights, v, tolerance); });
 }
 
 bool Decimator::removeAny(Triangulation& mesh, NodeHeights& heights) {
+  grid_ = {};
   for (std::int32_t v = 0; v < std::int32_t(mesh.vertices().size()); ++v) {
     if (isInner(mesh.vertex(v).corner) && mesh.leaving(v) != Triangulation::kNone &&
         tryRemove(mesh, heights, v, std::numeric_limits<float>::infinity()))
@@ -95,10 +89,10 @@ void Decimator::readRing(const Triangulation& mesh, std::int32_t v) {
     ring_[k].area = cross(ring_[k], around(k + 1));
 }
 
-/// False where corner m of the ring does not see all others. Else the fan of triangles from it
-/// fills the ring, all of them counter-clockwise: none of their edges exists elsewhere, and the
-/// mesh stays manifold. `error`: how far the fan is from the vertex it would replace, of the given
-/// height; also false where that is above the limit.
+/// False where corner m of the ring does not see all others or may not be joined to them. Else the
+/// fan of triangles from it fills the ring, all of them counter-clockwise: none of their edges
+/// exists elsewhere, and the mesh stays manifold. `error`: how far the fan is from the vertex it
+/// would replace, of the given height; also false where that is above the limit.
 bool Decimator::fan(std::size_t m, double height, float limit, float& error) const {
   const Neighbour& apex = ring_[m];
   std::int32_t toHere = cross(apex, around(m + 1));
@@ -107,7 +101,7 @@ bool Decimator::fan(std::size_t m, double height, float limit, float& error) con
     const Neighbour &a = around(k), &b = around(k + 1);
     const std::int32_t toNext = cross(apex, b);
     const std::int64_t area = std::int64_t(a.area) - toNext + toHere;
-    if (area <= 0)
+    if (area <= 0 || !mayJoin(apex, a))
       return false;
     if (toHere >= 0 && toNext <= 0) {
       error = float(std::abs(

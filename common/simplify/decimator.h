@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "mesh/curvature_grid.h"
 #include "simplify/metric_scale.h"
 #include "simplify/node_heights.h"
 #include "simplify/triangulation.h"
@@ -18,9 +19,9 @@ class Decimator {
  public:
   /// One pass over the inner vertices in the order of their numbers. A vertex goes when every new
   /// triangle is counter-clockwise and no unmasked node of them, its own included, is off by more
-  /// than the tolerance (metres). Vertices on the nodes of a grid of `keptCells` nodes' spacing
-  /// stay. Returns how many went.
-  int run(Triangulation& mesh, NodeHeights& heights, int keptCells, float tolerance,
+  /// than the tolerance (metres). The grid's nodes stay, and no edge becomes longer than it
+  /// permits. Returns how many went.
+  int run(Triangulation& mesh, NodeHeights& heights, const CurvatureGrid& grid, float tolerance,
           const ErrorDistance& distance = {});
 
   /// Takes one vertex out, the first that the geometry permits; heights do not count.
@@ -48,11 +49,16 @@ class Decimator {
   bool fan(std::size_t m, double height, float limit, float& error) const;
   bool isWithin(const Triangulation& mesh, const NodeHeights& heights, std::size_t m,
                 float tolerance) const;
+  bool mayJoin(const Neighbour& a, const Neighbour& b) const {
+    const std::int64_t u = a.u - b.u, v = a.v - b.v;
+    return grid_.isShort(u * u + v * v);
+  }
   const Neighbour& around(std::size_t k) const {
     return ring_[k < ring_.size() ? k : k - ring_.size()];
   }
 
   ErrorDistance distance_;
+  CurvatureGrid grid_;
   std::vector<std::int32_t> star_; ///< half-edges that leave the vertex
   std::vector<Neighbour> ring_;    ///< their ends, counter-clockwise
   std::vector<Target> targets_;

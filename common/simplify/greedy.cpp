@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "mesh/curvature_grid.h"
 #include "options/level_spec.h"
 #include "simplify/decimator.h"
 #include "simplify/exact_refinement.h"
@@ -32,7 +33,7 @@ class Greedy final : public Simplifier {
                   const LevelParams& level, Tin& out) override;
 
  private:
-  Result<int> gridAt(const LevelParams& level, int cells) const;
+  Result<int> askedGrid(const LevelParams& level, int cells) const;
   void start(const Border& border, int grid);
   void refine(float tolerance);
   void seed(double tolerance);
@@ -58,21 +59,24 @@ Status Greedy::simplify(const HeightTile& tile, const TileFrame& frame, const Bo
   assert(tile.cells() == frame.cells());
   tile_ = &tile;
   frame_ = &frame;
-  const Result<int> grid = gridAt(level, tile.cells());
-  if (!grid.ok())
-    return grid.status();
+  const Result<int> asked = askedGrid(level, tile.cells());
+  if (!asked.ok())
+    return asked.status();
+  CurvatureGrid grid(frame, level);
+  grid.addNodes(*asked);
   const bool across = options_.errorType == ErrorType::distance3d;
   distance_ = across ? ErrorDistance(metricScale(tile)) : ErrorDistance();
   exact_.reset(tile, frame, level.maxError);
   exact_.setDistance(distance_);
   exact_.setFreeEdges(border.isFree);
   heights_.reset(tile, frame);
-  start(border, *grid);
+  start(border, *asked);
+  mesh_.limitFlips(grid);
   const float tolerance = heights_.scanTolerance(level.maxError);
   seed(tolerance);
   refine(tolerance);
   if (options_.decimate) {
-    decimator_.run(mesh_, heights_, tile.cells() / *grid, tolerance, distance_);
+    decimator_.run(mesh_, heights_, grid, tolerance, distance_);
     mesh_.forgetChanges();
   }
   ErrorMeasure measure = exact_.run(nodes_, out);
@@ -84,7 +88,7 @@ Status Greedy::simplify(const HeightTile& tile, const TileFrame& frame, const Bo
 
 /// Cells per edge of the grid whose nodes stay: the curvature grid or a finer one that was asked
 /// for.
-Result<int> Greedy::gridAt(const LevelParams& level, int cells) const {
+Result<int> Greedy::askedGrid(const LevelParams& level, int cells) const {
   const auto asked = specValue(options_.initGrid, level.zoom);
   if (!asked.ok())
     return asked.status();

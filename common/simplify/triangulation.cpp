@@ -35,6 +35,7 @@ bool inCircle(const SpanCorner& a, const SpanCorner& b, const SpanCorner& c, con
 void Triangulation::reset(const std::array<NodeVertex, 4>& corners) {
   vertices_.assign(corners.begin(), corners.end());
   leaving_.assign(corners.size(), kNone);
+  grid_ = {};
   origin_.clear();
   twin_.clear();
   isChanged_.clear();
@@ -49,6 +50,7 @@ void Triangulation::reset(const std::vector<NodeVertex>& vertices,
                           const std::vector<TinTriangle>& triangles) {
   vertices_ = vertices;
   leaving_.assign(vertices.size(), kNone);
+  grid_ = {};
   origin_.clear();
   twin_.clear();
   isChanged_.clear();
@@ -229,7 +231,8 @@ void Triangulation::restoreDelaunay(std::int32_t p) {
     if (other == kNone)
       continue;
     const SpanCorner& far = vertex(origin(previous(other))).corner;
-    if (inCircle(cornerOf(t, 0).corner, cornerOf(t, 1).corner, place, far))
+    if (inCircle(cornerOf(t, 0).corner, cornerOf(t, 1).corner, place, far) &&
+        grid_.mayJoin(place, far))
       flip(t);
   }
 }

@@ -2,31 +2,15 @@
 // Copyright (c) 2026 the qmesh authors
 #include "simplify/vertex_removal.h"
 
+#include "simplify/removal_pass.h"
+
 namespace qmesh {
 
-namespace {
-
-bool isInner(const SpanCorner& corner) {
-  return corner.u > 0 && corner.v > 0 && corner.u < kQuantizedMax && corner.v < kQuantizedMax;
-}
-
-std::int64_t squaredLength(const SpanCorner& a, const SpanCorner& b) {
-  const std::int64_t u = a.u - b.u, v = a.v - b.v;
-  return u * u + v * v;
-}
-
-} // namespace
-
-int VertexRemoval::run(Triangulation& mesh, const NodeHeights& heights, int keptCells,
+int VertexRemoval::run(Triangulation& mesh, const NodeHeights& heights, const CurvatureGrid& grid,
                        float tolerance) {
-  int removed = 0;
-  for (std::int32_t v = 0; v < std::int32_t(mesh.vertices().size()); ++v) {
-    const NodeVertex& vertex = mesh.vertex(v);
-    const bool kept = vertex.i % keptCells == 0 && vertex.j % keptCells == 0;
-    if (!kept && isInner(vertex.corner) && mesh.leaving(v) != Triangulation::kNone)
-      removed += tryRemove(mesh, heights, v, tolerance) ? 1 : 0;
-  }
-  return removed;
+  grid_ = grid;
+  return removeVertices(mesh, grid,
+                        [&](std::int32_t v) { return tryRemove(mesh, heights, v, tolerance); });
 }
 
 bool VertexRemoval::tryRemove(Triangulation& mesh, const NodeHeights& heights, std::int32_t v,
@@ -51,7 +35,7 @@ bool VertexRemoval::tryRemove(Triangulation& mesh, const NodeHeights& heights, s
   return true;
 }
 
-/// The ear with the shortest base that holds the tolerance; -1 where there is none.
+/// The ear with the shortest base that holds the tolerance and may be cut; -1 where there is none.
 int VertexRemoval::bestEar(const Triangulation& mesh, const NodeHeights& heights,
                            float tolerance) const {
   int best = -1;
@@ -60,7 +44,7 @@ int VertexRemoval::bestEar(const Triangulation& mesh, const NodeHeights& heights
     const SpanCorner& before = corner(mesh, k + left_.size() - 1);
     const SpanCorner& after = corner(mesh, k + 1);
     const std::int64_t length = squaredLength(before, after);
-    if ((best < 0 || length < shortest) && isEar(mesh, k) &&
+    if ((best < 0 || length < shortest) && grid_.isShort(length) && isEar(mesh, k) &&
         heights.areWithin(before, corner(mesh, k), after, tolerance)) {
       best = int(k);
       shortest = length;

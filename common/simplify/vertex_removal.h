@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "mesh/curvature_grid.h"
 #include "simplify/node_heights.h"
 #include "simplify/triangulation.h"
 
@@ -18,8 +19,9 @@ class VertexRemoval {
  public:
   /// One pass over the inner vertices in the order of their numbers; one goes when the hole can be
   /// filled by cutting ears so that no unmasked node is off by more than the tolerance (metres).
-  /// Vertices of nodes of a grid of `keptCells` spacing stay. Returns how many went.
-  int run(Triangulation& mesh, const NodeHeights& heights, int keptCells, float tolerance);
+  /// The grid's nodes stay, and no edge becomes longer than it permits. Returns how many went.
+  int run(Triangulation& mesh, const NodeHeights& heights, const CurvatureGrid& grid,
+          float tolerance);
 
  private:
   bool tryRemove(Triangulation& mesh, const NodeHeights& heights, std::int32_t v, float tolerance);
@@ -29,6 +31,7 @@ class VertexRemoval {
     return mesh.vertex(ring_[std::size_t(left_[k % left_.size()])]).corner;
   }
 
+  CurvatureGrid grid_;
   std::vector<std::int32_t> star_;
   std::vector<std::int32_t> ring_;                ///< vertices around, counter-clockwise
   std::vector<std::int32_t> left_;                ///< corners of the hole's rest, as ring indices

@@ -81,6 +81,32 @@ void expectContractHeights(const HeightTile& tile, const Simplified& made) {
   }
 }
 
+/// The longest edge of a TIN, squared, and that of the diagonals of its curvature grid's cells.
+std::int64_t longestEdge(const Tin& tin) {
+  std::int64_t longest = 0;
+  for (const TinTriangle& t : tin.triangles) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const TinVertex &a = tin.vertices[t[k]], &b = tin.vertices[t[(k + 1) % 3]];
+      const std::int64_t u = a.u - b.u, v = a.v - b.v;
+      longest = std::max(longest, u * u + v * v);
+    }
+  }
+  return longest;
+}
+
+std::int64_t longestDiagonal(const Simplified& made) {
+  const int n = made.frame.cells(), step = n / made.level.baseGrid;
+  std::int64_t longest = 0;
+  for (int j = 0; j < n; j += step) {
+    for (int i = 0; i < n; i += step) {
+      const std::int64_t u = made.frame.u(i + step) - made.frame.u(i);
+      const std::int64_t v = made.frame.v(j + step) - made.frame.v(j);
+      longest = std::max(longest, u * u + v * v);
+    }
+  }
+  return longest;
+}
+
 /// P2, where rounding does not forbid it: then a mesh of all nodes misses the max error as well, or
 /// heights cannot be rounded finely enough.
 void expectBounded(const HeightTile& tile, const Simplified& made) {
@@ -100,6 +126,7 @@ void expectPromises(const HeightTile& tile, const Simplified& made, bool boundsE
   EXPECT_EQ(borderPlaces(made), placesOf(made.border));
   const std::size_t grid = std::size_t(made.level.baseGrid) + 1;
   EXPECT_EQ(curvatureNodes(made), grid * grid);
+  EXPECT_LE(longestEdge(made.tin), longestDiagonal(made));
   expectContractHeights(tile, made);
   const ErrorMeasure measure = measureError(tile, made.frame, made.tin);
   EXPECT_EQ(made.tin.maxError, measure.max);
@@ -131,6 +158,28 @@ TEST_P(EveryMethod, KeepsItsPromisesOnLargeTiles) {
       const TerrainPatch patch(place.lattice(), place.id(), 1, 1, terrain, ++seed);
       expectPromises(patch.tile(), make(patch.tile(), place.level(maxErrors(place)[0])),
                      GetParam()->boundsError);
+    }
+  }
+}
+
+/// Where the globe is curved no edge is longer than the diagonal of a cell of the curvature grid,
+/// however little the heights need: at the max errors of the zooms by default.
+TEST_P(EveryMethod, KeepsEdgesShortOnTheGlobe) {
+  using P = Profile;
+  unsigned seed = 1700;
+  for (const Place& place : {Place{P::geodetic, 0, 1, 0, 64}, Place{P::geodetic, 3, 5, 6, 64},
+                             Place{P::geodetic, 5, 16, 22, 64}, Place{P::geodetic, 7, 50, 90, 32},
+                             Place{P::geodetic, 9, 270, 360, 64}, Place{P::mercator, 0, 0, 0, 64},
+                             Place{P::mercator, 1, 1, 1, 64}, Place{P::mercator, 6, 20, 40, 64}}) {
+    const double maxError = place.profile == P::geodetic ? 19267 : 38533;
+    const LevelParams level = place.level(maxError / (1 << place.zoom));
+    ASSERT_GT(level.baseGrid, 1);
+    for (const Terrain terrain : {Terrain::flat, Terrain::plane, Terrain::fractal, Terrain::ridged,
+                                  Terrain::steps, Terrain::extreme}) {
+      SCOPED_TRACE(testing::Message() << place << " " << name(terrain) << " seed " << seed + 1);
+      const TerrainPatch patch(place.lattice(), place.id(), 1, 1, terrain, ++seed);
+      const Simplified made = make(patch.tile(), level);
+      EXPECT_LE(longestEdge(made.tin), longestDiagonal(made));
     }
   }
 }

@@ -175,7 +175,7 @@ class Collapsing : public testing::Test {
     std::vector<std::uint8_t> stays;
     for (const NodeVertex& v : mesh_.vertices())
       stays.push_back(v.i == 0 || v.j == 0 || v.i == 16 || v.j == 16 ? 1 : 0);
-    collapser_.reset(mesh_, {0.01, 0.012}, stays, &log_);
+    collapser_.reset(mesh_, {0.01, 0.012}, stays, CurvatureGrid(), &log_);
   }
 
   /// Corners of all triangles, each beginning with its smallest; kGone for those collapsed.

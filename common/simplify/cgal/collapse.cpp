@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mesh/curvature_grid.h"
 #include "options/level_spec.h"
 #include "simplify/cgal/edge_collapse.h"
 #include "simplify/cgal/mesh_thinning.h"
@@ -61,11 +62,12 @@ Status Collapse::simplify(const HeightTile& tile, const TileFrame& frame, const 
   CollapseRule rule;
   QMESH_RETURN_IF_ERROR(makeRule(tile, frame, level, rule));
   const bool bounded = !rule.edges;
+  const CurvatureGrid grid(frame, level);
   rounding_.reset(tile, frame);
   makeStartMesh(tile, frame, border, level, mesh_);
   if (bounded)
-    thinning_.run(tile, frame, tile.cells() / level.baseGrid, kThinning * level.maxError, mesh_);
-  judge_.reset(tile, frame, border, mesh_,
+    thinning_.run(tile, frame, grid, kThinning * level.maxError, mesh_);
+  judge_.reset(tile, frame, border, grid, mesh_,
                bounded ? std::optional<double>(level.maxError) : std::nullopt);
   collapseEdges(rule, rounding_, judge_, mesh_, out);
   if (bounded)
@@ -106,10 +108,12 @@ Status Collapse::makeRule(const HeightTile& tile, const TileFrame& frame, const 
 void Collapse::finishBounded(const HeightTile& tile, const TileFrame& frame,
                              const LevelParams& level, Tin& out) {
   nodes_.reset(tile, frame, out);
-  const int kept = tile.cells() / level.baseGrid;
-  while (removal_.run(nodes_.triangulation(), judge_.heights(), kept, judge_.tolerance()) > 0) {
+  Triangulation& mesh = nodes_.triangulation();
+  const CurvatureGrid grid(frame, level);
+  while (removal_.run(mesh, judge_.heights(), grid, judge_.tolerance()) > 0) {
   }
-  nodes_.triangulation().forgetChanges();
+  mesh.forgetChanges();
+  mesh.limitFlips(grid);
   exact_.reset(tile, frame, level.maxError);
   exact_.run(nodes_, out);
 }

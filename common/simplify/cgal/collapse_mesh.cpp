@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mesh/curvature_grid.h"
 #include "simplify/grid_strips.h"
 
 namespace qmesh {
@@ -110,11 +111,10 @@ class StartMesh {
 };
 
 void StartMesh::addInnerNodes() {
-  const int kept = n_ / level_.baseGrid;
+  const CurvatureGrid curvature(frame_, level_);
   for (int j = 1; j < n_; ++j) {
     for (int i = 1; i < n_; ++i) {
-      const bool isKept = i % kept == 0 && j % kept == 0;
-      mobility_.push_back(isKept ? Mobility::fixed : Mobility::inner);
+      mobility_.push_back(curvature.isNode(i, j) ? Mobility::fixed : Mobility::inner);
       grid_.vertices.push_back(rounding_.node(i, j, frame_.u(i), frame_.v(j), mobility_.back()));
     }
   }

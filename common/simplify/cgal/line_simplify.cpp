@@ -37,13 +37,14 @@ constexpr double kNodeNumbers = 1 << 21;
 /// addresses, has one order (promise P3).
 class HeightCost {
  public:
-  HeightCost(const HeightTile& tile, const TileFrame& frame) : tile_(tile), frame_(frame) {}
+  HeightCost(const HeightTile& tile, const TileFrame& frame, const CurvatureGrid& curvature)
+      : tile_(tile), frame_(frame), curvature_(curvature) {}
 
   boost::optional<double> operator()(const Lines&,
                                      Lines::Vertices_in_constraint_iterator at) const {
     const auto before = boost::prior(at), after = boost::next(at);
     const Point from = (*before)->point(), to = (*after)->point();
-    if (from == to) // what is left of a closed line
+    if (from == to || !isShort(from, to)) // the first: what is left of a closed line
       return boost::none;
     const Piece piece{from, to, height(from), height(to) - height(from)};
     double worst = 0;
@@ -84,6 +85,11 @@ class HeightCost {
     return std::max(std::abs(up), std::abs(down));
   }
 
+  bool isShort(const Point& from, const Point& to) const {
+    const auto u = std::int64_t(to.x() - from.x()), v = std::int64_t(to.y() - from.y());
+    return curvature_.isShort(u * u + v * v);
+  }
+
   int column(const Point& point) const { return frame_.nearestColumn(std::uint16_t(point.x())); }
   int row(const Point& point) const { return frame_.nearestRow(std::uint16_t(point.y())); }
   double height(const Point& point) const { return tile_.at(column(point), row(point)); }
@@ -93,6 +99,7 @@ class HeightCost {
 
   const HeightTile& tile_;
   const TileFrame& frame_;
+  const CurvatureGrid& curvature_;
 };
 
 /// Stops before the first cost above the max error.
@@ -110,8 +117,8 @@ class StopAbove {
 
 } // namespace
 
-void simplifyLines(const HeightTile& tile, const TileFrame& frame, double maxError,
-                   std::vector<NodeLine>& lines) {
+void simplifyLines(const HeightTile& tile, const TileFrame& frame, const CurvatureGrid& curvature,
+                   double maxError, std::vector<NodeLine>& lines) {
   const NodeGrid grid(frame.cells());
   Lines all;
   std::vector<Lines::Constraint_id> ids;
@@ -122,8 +129,8 @@ void simplifyLines(const HeightTile& tile, const TileFrame& frame, double maxErr
       points.emplace_back(frame.u(grid.column(node)), frame.v(grid.row(node)));
     ids.push_back(all.insert_constraint(points.begin(), points.end()));
   }
-  CGAL::Polyline_simplification_2::simplify(all, HeightCost(tile, frame), StopAbove(maxError),
-                                            false);
+  CGAL::Polyline_simplification_2::simplify(all, HeightCost(tile, frame, curvature),
+                                            StopAbove(maxError), false);
   for (std::size_t k = 0; k < lines.size(); ++k) {
     lines[k].clear();
     for (auto at = all.vertices_in_constraint_begin(ids[k]);

@@ -4,10 +4,10 @@
 
 namespace qmesh {
 
-void MeshThinning::run(const HeightTile& tile, const TileFrame& frame, int keptCells,
+void MeshThinning::run(const HeightTile& tile, const TileFrame& frame, const CurvatureGrid& grid,
                        double tolerance, CollapseMesh& mesh) {
   load(tile, frame, mesh);
-  decimator_.run(triangulation_, heights_, keptCells, heights_.scanTolerance(tolerance));
+  decimator_.run(triangulation_, heights_, grid, heights_.scanTolerance(tolerance));
   store(mesh);
 }
 

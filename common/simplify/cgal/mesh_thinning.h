@@ -17,9 +17,10 @@ namespace qmesh {
 /// the judge still looks at every node. Memory is kept from tile to tile.
 class MeshThinning {
  public:
-  /// `tolerance`: metres. Fixed vertices stay. The order of the others is kept.
-  void run(const HeightTile& tile, const TileFrame& frame, int keptCells, double tolerance,
-           CollapseMesh& mesh);
+  /// `tolerance`: metres. The border's vertices and the grid's stay, and no edge becomes longer
+  /// than the grid permits. The order of vertices is kept.
+  void run(const HeightTile& tile, const TileFrame& frame, const CurvatureGrid& grid,
+           double tolerance, CollapseMesh& mesh);
 
  private:
   void load(const HeightTile& tile, const TileFrame& frame, const CollapseMesh& mesh);

@@ -117,7 +117,8 @@ Status PointSetMethod::simplify(const HeightTile& tile, const TileFrame& frame,
       taken_[std::size_t(node)] = 1;
   }
   addFreeEdges(site, border);
-  simplifyLines(tile, frame, borderMaxError_.at(level.zoom, level.maxError), parts_.lines);
+  simplifyLines(tile, frame, CurvatureGrid(frame, level),
+                borderMaxError_.at(level.zoom, level.maxError), parts_.lines);
 
   parts_.nodes.clear();
   addBaseGrid(site);

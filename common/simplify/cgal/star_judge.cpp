@@ -8,8 +8,10 @@
 namespace qmesh {
 
 void StarJudge::reset(const HeightTile& tile, const TileFrame& frame, const Border& border,
-                      const CollapseMesh& mesh, std::optional<double> maxError) {
+                      const CurvatureGrid& grid, const CollapseMesh& mesh,
+                      std::optional<double> maxError) {
   mesh_ = &mesh;
+  grid_ = grid;
   tolerance_.reset();
   if (!maxError)
     return;
@@ -45,11 +47,17 @@ bool StarJudge::accepts(std::uint32_t first, std::uint32_t second, const Collaps
     const Corners c = cornersOf(t);
     return vanishes(c) || doubledArea(*c[0], *c[1], *c[2]) > 0;
   };
+  const auto isReachable = [&](const TinTriangle& t) {
+    const Corners c = cornersOf(t);
+    return std::all_of(c.begin(), c.end(),
+                       [&](const SpanCorner* end) { return grid_.mayJoin(placed.corner, *end); });
+  };
   const auto isWithin = [&](const TinTriangle& t) {
     const Corners c = cornersOf(t);
     return vanishes(c) || heights_.areWithin(*c[0], *c[1], *c[2], *tolerance_);
   };
   return std::all_of(star.begin(), star.end(), isUpright) &&
+         std::all_of(star.begin(), star.end(), isReachable) &&
          (!tolerance_ || std::all_of(star.begin(), star.end(), isWithin));
 }
 

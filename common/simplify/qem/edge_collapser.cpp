@@ -43,12 +43,14 @@ std::vector<std::uint32_t> ranks(const Triangulation& mesh) {
 } // namespace
 
 void EdgeCollapser::reset(Triangulation& mesh, const MetricScale& scale,
-                          const std::vector<std::uint8_t>& stays, CollapseLog* log) {
+                          const std::vector<std::uint8_t>& stays, const CurvatureGrid& grid,
+                          CollapseLog* log) {
   mesh_ = &mesh;
   log_ = log;
   if (log)
     log->clear();
   stays_ = stays;
+  grid_ = grid;
   points_.clear();
   constexpr double middle = kQuantizedMax / 2.0;
   for (const NodeVertex& vertex : mesh.vertices())
@@ -115,7 +117,8 @@ void EdgeCollapser::readRing(std::int32_t v) {
   }
 }
 
-/// True where the fan of triangles from neighbour m fills the ring, all counter-clockwise.
+/// True where the fan of triangles from neighbour m fills the ring, all counter-clockwise and of
+/// edges that the grid permits.
 bool EdgeCollapser::seesRing(std::size_t m) const {
   const Neighbour& apex = ring_[m];
   const auto after = [&](std::size_t k) { return k + 1 < ring_.size() ? k + 1 : 0; };
@@ -124,6 +127,9 @@ bool EdgeCollapser::seesRing(std::size_t m) const {
     // With the vertex as origin, doubled areas are sums of cross products.
     if (std::int64_t(cross(ring_[a], ring_[b])) - cross(apex, ring_[b]) + cross(apex, ring_[a]) <=
         0)
+      return false;
+    const std::int64_t u = ring_[a].u - apex.u, v = ring_[a].v - apex.v;
+    if (!grid_.isShort(u * u + v * v))
       return false;
   }
   return true;

@@ -2,6 +2,7 @@
 // Copyright (c) 2026 the qmesh authors
 #include <limits>
 
+#include "mesh/curvature_grid.h"
 #include "options/level_spec.h"
 #include "simplify/finish.h"
 #include "simplify/methods.h"
@@ -35,7 +36,7 @@ class Qem final : public Simplifier {
   };
 
   Result<Stop> stopAt(const LevelParams& level, int cells) const;
-  void markStaying(int keptCells);
+  void markStaying(const CurvatureGrid& grid);
 
   MethodOptions options_;
   NodeMesh nodes_;
@@ -58,14 +59,10 @@ Result<Qem::Stop> Qem::stopAt(const LevelParams& level, int cells) const {
 }
 
 /// The edges' vertices and the nodes of the curvature grid.
-void Qem::markStaying(int keptCells) {
+void Qem::markStaying(const CurvatureGrid& grid) {
   stays_.clear();
-  const int n = kQuantizedMax;
-  for (const NodeVertex& vertex : nodes_.triangulation().vertices()) {
-    const SpanCorner& corner = vertex.corner;
-    const bool border = corner.u == 0 || corner.v == 0 || corner.u == n || corner.v == n;
-    stays_.push_back(border || (vertex.i % keptCells == 0 && vertex.j % keptCells == 0) ? 1 : 0);
-  }
+  for (const NodeVertex& vertex : nodes_.triangulation().vertices())
+    stays_.push_back(!isInner(vertex.corner) || grid.isNode(vertex.i, vertex.j) ? 1 : 0);
 }
 
 Status Qem::simplify(const HeightTile& tile, const TileFrame& frame, const Border& border,
@@ -74,8 +71,9 @@ Status Qem::simplify(const HeightTile& tile, const TileFrame& frame, const Borde
   if (!stop.ok())
     return stop.status();
   nodes_.resetToAllNodes(tile, frame, border);
-  markStaying(frame.cells() / level.baseGrid);
-  collapser_.reset(nodes_.triangulation(), metricScale(tile), stays_);
+  const CurvatureGrid grid(frame, level);
+  markStaying(grid);
+  collapser_.reset(nodes_.triangulation(), metricScale(tile), stays_, grid);
   while (collapser_.vertices() > stop->vertices && collapser_.findNext() &&
          collapser_.nextSvo() <= stop->svo)
     collapser_.collapse();

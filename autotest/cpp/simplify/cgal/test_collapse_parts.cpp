@@ -73,7 +73,7 @@ TEST(StartMesh, AFreeEdgeIsWithinTheMaxErrorAtCliffs) {
 TEST(MeshThinning, LeavesAValidMeshWithinTheTolerance) {
   for (const Terrain terrain : {Terrain::fractal, Terrain::plane, Terrain::flat}) {
     Start start(terrain, 60);
-    MeshThinning().run(start.tile, start.made.frame, 16, 20, start.mesh);
+    MeshThinning().run(start.tile, start.made.frame, CurvatureGrid(), 20, start.mesh);
     Simplified thinned = start.made;
     thinned.tin = tinOf(start.mesh);
     EXPECT_EQ(checkTin(thinned.tin), "");
@@ -106,12 +106,12 @@ TEST(StarJudge, RefusesFoldsAndErrors) {
   const double middle = (frame.u(7) + frame.u(8)) / 2.0, row = frame.v(8),
                ground = start.mesh.vertices[a].corner.height;
   StarJudge judge;
-  judge.reset(start.tile, frame, start.made.border, start.mesh, 1.0);
+  judge.reset(start.tile, frame, start.made.border, {}, start.mesh, 1.0);
   EXPECT_TRUE(judge.accepts(a, b, rounding.inner(middle, row, ground), star));
   EXPECT_TRUE(judge.accepts(a, b, rounding.inner(middle, row, ground + 0.9), star));
   EXPECT_FALSE(judge.accepts(a, b, rounding.inner(middle, row, ground + 3), star));
   EXPECT_FALSE(judge.accepts(a, b, rounding.inner(frame.u(10), row, ground), star));
-  judge.reset(start.tile, frame, start.made.border, start.mesh, std::nullopt);
+  judge.reset(start.tile, frame, start.made.border, {}, start.mesh, std::nullopt);
   EXPECT_TRUE(judge.accepts(a, b, rounding.inner(middle, row, ground + 3), star));
   EXPECT_FALSE(judge.accepts(a, b, rounding.inner(frame.u(10), row, ground), star));
   // Onto the line between two others: a triangle without area.
