@@ -163,7 +163,7 @@ python=$(python_with_gdal) || {
   finish
 }
 pytest=("$python" -m pytest -rs -q -p no:cacheprovider)
-stage count_pytest "commands" 20 "${pytest[@]}" autotest/utils
+stage count_pytest "commands" "$([ "$mode" = full ] && echo 120 || echo 20)" "${pytest[@]}" autotest/utils
 stage count_pytest "driver" 10 "${pytest[@]}" autotest/driver
 
 if [ "$mode" != quick ]; then

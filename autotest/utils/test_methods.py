@@ -84,14 +84,6 @@ def test_the_error_is_bounded_or_told(tile_set, dem, method, name, border):
 
 
 @pytest.mark.parametrize("name", DEMS)
-def test_quadtree_keeps_a_max_error_that_is_asked_for(tile_set, dem, name):
-    """P2"""
-    tiles = tile_set(name, *options("quadtree", name), "--max-error", "20000/2^z")
-    nodes = promises.nodes_of(dem(name), "geodetic", cells(), max(tiles.levels()))
-    promises.none(promises.bounded(tiles, nodes, lambda z: 20000 / 2**z)[0])
-
-
-@pytest.mark.parametrize("name", DEMS)
 @pytest.mark.parametrize("border", ["shared", "inherit"])
 @pytest.mark.parametrize("method", sorted(BOUNDED_WHEN_ASKED))
 def test_the_error_is_bounded_when_asked(tile_set, dem, method, border, name):
