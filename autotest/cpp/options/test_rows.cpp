@@ -110,6 +110,10 @@ const std::map<std::string, RowCase>& rowCases() {
       {"block-tiles", {"4", "4", {"", "0", "3", "16", "x"}}},
       {"config-file", {"c.conf", "c.conf", kEmpty}},
       {"dry-run", {"on", "on", kBadSwitch}},
+      {"compare", {"on", "on", kBadSwitch}},
+      {"compare-tile", {"10/544/718", "10/544/718", {"", "10/544", "a/b/c", "30/0/0"}}},
+      {"debug-meshes", {"meshes", "meshes", kEmpty}},
+      {"debug-format", {"obj", "obj", {"", "stl"}}},
       {"quiet", {"on", "on", kBadSwitch}},
       {"verbose", {"on", "on", kBadSwitch}},
   };
