@@ -37,6 +37,30 @@ Status checkSpec(const OptionRow& row, const std::string& text, int first, int l
   return {};
 }
 
+/// The method that a row's sentence begins with; empty for rows of all methods.
+std::string methodOf(const OptionRow& row) {
+  const std::size_t colon = row.help.find(": ");
+  const std::string word = row.help.substr(0, colon == std::string::npos ? 0 : colon);
+  return word.find_first_not_of("abcdefghijklmnopqrstuvwxyz ") == std::string::npos ? word : "";
+}
+
+bool isPointSet(const std::string& method) {
+  return method == "grid" || method == "random" || method == "hierarchy" || method == "wlop";
+}
+
+/// Options of a method that is not the chosen one: somebody expects something of them.
+void warnOfOtherMethods(const BuildOptions& options, std::vector<std::string>& warnings) {
+  const BuildOptions defaults;
+  for (const OptionRow& row : methodRows({})) {
+    const std::string method = methodOf(row);
+    const bool used = method.empty() || method == options.method ||
+                      (method == "point sets" && isPointSet(options.method));
+    if (!used && row.get(options) != row.get(defaults))
+      warnings.push_back("--" + row.name + " has no effect with --method " + options.method +
+                         ": it belongs to " + method);
+  }
+}
+
 } // namespace
 
 Status checkSpecs(const BuildOptions& options, int first, int last) {
@@ -65,10 +89,11 @@ Status validate(const BuildOptions& options, std::vector<std::string>& warnings)
     return Status(Code::usage, "--compare-tile says where --compare works; name both");
   if (options.schedule != Schedule::fourColour && options.border == BorderMode::shared)
     warnings.push_back("--schedule has no effect without --border inherit");
+  if (!options.compare)
+    warnOfOtherMethods(options, warnings);
   if (options.minZoom.value_or(0) > 0)
     warnings.push_back("CesiumJS needs zoom 0 to begin with: terrain from zoom " +
-                       std::to_string(*options.minZoom) +
-                       " on shows only where it lies over another set");
+                       std::to_string(*options.minZoom) + " on is of use to other programs only");
   return {};
 }
 

@@ -7,6 +7,7 @@
 
 #include "base/text.h"
 #include "options/parse.h"
+#include "options/validate.h"
 #include "test_table.h"
 
 namespace qmesh {
@@ -155,6 +156,29 @@ TEST(Parse, OddPairsWarn) {
   EXPECT_NE(parse("-z 3-5 a.tif")->warnings.at(0).find("zoom 0"), std::string::npos);
   EXPECT_NE(parse("--cesium x a.tif")->warnings.at(0).find("--cesium"), std::string::npos);
   EXPECT_TRUE(parse("-z 0-5 -w all --cesium x a.tif")->warnings.empty());
+}
+
+TEST(Parse, OptionsOfOtherMethodsWarn) {
+  BuildOptions options;
+  const auto warnings = [&] {
+    std::vector<std::string> said;
+    EXPECT_TRUE(validate(options, said).ok());
+    return said;
+  };
+  options.decimate = false;
+  EXPECT_TRUE(warnings().empty());
+  options.edgeCount = "100";
+  options.featureAngle = 90;
+  ASSERT_EQ(warnings().size(), 2u);
+  EXPECT_EQ(warnings()[0].find("--edge-count has no effect with --method greedy"), 0u);
+  options.method = "collapse";
+  EXPECT_EQ(warnings().size(), 2u); // --decimate and --feature-angle
+  for (const char* method : {"grid", "random", "hierarchy", "wlop"}) {
+    options.method = method;
+    EXPECT_EQ(warnings().size(), 2u) << method; // --decimate and --edge-count
+  }
+  options.compare = true;
+  EXPECT_TRUE(warnings().empty());
 }
 
 TEST(Parse, MaxErrorMakesScreenErrorIrrelevant) {
