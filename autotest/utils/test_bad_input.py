@@ -122,6 +122,7 @@ def test_band_and_cutline_that_are_not_there(tmp_path):
         run("-b", "2", good, tmp_path / "out").failed(INPUT, "band", "2")
         run("--cutline", tmp_path / "no.geojson", good, tmp_path / "out").failed(INPUT, "no.geojson")
         run("--if", "PNG", good, tmp_path / "out").failed(INPUT, "good.tif")
+        run("--if", "GTif", good, tmp_path / "out").failed(USAGE, "GTif", "--formats")
         run("--te", "50", "50", "51", "51", good, tmp_path / "out").failed(INPUT)
     lines = {"type": "FeatureCollection", "features": []}
     (tmp_path / "empty.geojson").write_text(str(lines).replace("'", '"'))
@@ -192,6 +193,13 @@ def test_no_input_and_too_many_arguments(tmp_path):
 @pytest.fixture
 def good(tmp_path):
     return dems.write(tmp_path / "good.tif", dems.hills(200, 200))
+
+
+def test_an_open_option_that_the_driver_does_not_know(tmp_path, good):
+    done = harness.gdal2qmesh("--oo", "NUM_THREAD=1", good, tmp_path / "out").succeeded()
+    assert "gdal2qmesh: warning: --oo NUM_THREAD=1: " in done.err
+    done = harness.gdal2qmesh("--oo", "NUM_THREADS=1", good, tmp_path / "out2").succeeded()
+    assert "warning" not in done.err
 
 
 def test_an_output_that_holds_something_is_refused(tmp_path, good):

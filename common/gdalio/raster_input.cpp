@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include <cpl_minixml.h>
 #include <cpl_string.h>
 
 #include "gdalio/crs.h"
@@ -14,6 +15,38 @@ namespace {
 
 Status bad(const std::string& path, const std::string& fault) {
   return {Code::input, "'" + path + "' " + fault};
+}
+
+Status checkFormats(const std::vector<std::string>& formats) {
+  for (const std::string& name : formats)
+    if (!GetGDALDriverManager()->GetDriverByName(name.c_str()))
+      return {Code::usage,
+              "--if " + name + ": GDAL has no such driver here; gdalinfo --formats lists them"};
+  return {};
+}
+
+bool hasOpenOption(const CPLXMLNode* list, const std::string& name) {
+  for (const CPLXMLNode* node = list->psChild; node; node = node->psNext)
+    for (const char* key : {"name", "alias", "deprecated_alias"})
+      if (EQUAL(CPLGetXMLValue(node, key, ""), name.c_str()))
+        return true;
+  return false;
+}
+
+/// GDAL passes over open options that a driver does not know.
+void checkOpenOptions(GDALDataset& dataset, const std::vector<std::string>& given,
+                      std::vector<std::string>& warnings) {
+  GDALDriver* driver = dataset.GetDriver();
+  const char* listed = driver ? driver->GetMetadataItem(GDAL_DMD_OPENOPTIONLIST) : nullptr;
+  const CPLXMLTreeCloser xml(listed ? CPLParseXMLString(listed) : nullptr);
+  if (!xml)
+    return;
+  for (const std::string& option : given) {
+    const std::string name = option.substr(0, option.find('='));
+    if (!hasOpenOption(xml.get(), name))
+      warnings.push_back("--oo " + option + ": GDAL's driver " + driver->GetDescription() +
+                         " has no such open option");
+  }
 }
 
 Status checkBands(GDALDataset& dataset, const std::string& path, int band) {
@@ -82,6 +115,8 @@ Result<RasterInput> describeRaster(const BuildOptions& options, GDALDataset* hos
   if (GDALGetDriverCount() == 0)
     GDALAllRegister();
   RasterInput out;
+  if (!host)
+    QMESH_RETURN_IF_ERROR(checkFormats(options.inputFormats));
   out.path = options.input;
   out.band = options.band;
   out.access = host ? DatasetAccess::ofHost(*host, out.band)
@@ -91,6 +126,8 @@ Result<RasterInput> describeRaster(const BuildOptions& options, GDALDataset* hos
     return opened.status();
   QuietErrors errors;
   GDALDataset& dataset = **opened;
+  if (!host && !options.openOptions.empty())
+    checkOpenOptions(dataset, options.openOptions, warnings);
   QMESH_RETURN_IF_ERROR(checkBands(dataset, out.path, out.band));
   QMESH_RETURN_IF_ERROR(checkGeoreferencing(dataset, out.path));
   QMESH_RETURN_IF_ERROR(readSrs(dataset, options, out));
