@@ -332,6 +332,11 @@ def test_usage(made, args):
     refused(qmeshinfo(*args, *([made] if args else [])), USAGE)
 
 
+def test_zooms_that_are_not_there(made):
+    refused(qmeshinfo("-z", "20", made), USAGE, "no zoom 20", "deepest")
+    assert qmeshinfo("-z", "0-20", made).code == CLEAN
+
+
 def test_places_that_cannot_be_written(tmp_path, made):
     for option, name in (("--export", "a.obj"), ("--draw", "a.svg"), ("--draw", "a.png")):
         (tmp_path / name).mkdir(exist_ok=True)

@@ -43,6 +43,7 @@ class InfoRun {
   }
 
   Status run(FindingBook& book) {
+    QMESH_RETURN_IF_ERROR(checkZooms());
     QMESH_RETURN_IF_ERROR(describeOne());
     if (options_.stats || options_.validate)
       QMESH_RETURN_IF_ERROR(survey(book));
@@ -63,6 +64,15 @@ class InfoRun {
       console_.progress(done);
       return !stopRequested();
     };
+  }
+
+  /// At least one of the zooms asked for is there.
+  Status checkZooms() const {
+    const int deepest = set_.available().maxZoom();
+    if (set_.singleTile() || deepest < 0 || firstZoom_ <= std::max(deepest, set_.maxZoom()))
+      return {};
+    return {Code::usage, "-z: '" + options_.set + "' has no zoom " + std::to_string(firstZoom_) +
+                             "; its deepest is " + std::to_string(deepest)};
   }
 
   Status describeOne() {
