@@ -47,8 +47,17 @@ bool Fits(const TileRange &oTiles, int nCells)
 GDALDataset *QMESHDataset::Open(GDALOpenInfo *poOpenInfo)
 {
     const QMESHName oName = QMESHIdentifyName(poOpenInfo);
-    if (oName.eKind == QMESHKind::Other || poOpenInfo->eAccess == GA_Update)
+    if (oName.eKind == QMESHKind::Other)
         return nullptr;
+    if (poOpenInfo->eAccess == GA_Update)
+    {
+        // Vector programs try this first and are content with reading.
+        if ((poOpenInfo->nOpenFlags & GDAL_OF_VECTOR) == 0)
+            CPLError(CE_Failure, CPLE_NotSupported,
+                     "QMESH: '%s' cannot be changed in place: open it read-only, or make it anew",
+                     poOpenInfo->pszFilename);
+        return nullptr;
+    }
     Result<TerrainSet> oSet = oName.eKind == QMESHKind::Set ? TerrainSet::open(oName.osPath)
                                                             : TerrainSet::openTile(oName.osPath);
     if (!oSet.ok())

@@ -22,7 +22,8 @@
 class QMESHDataset final : public GDALDataset
 {
   public:
-    /// GDALDriver::pfnOpen: null without an error where the name is not ours or is to be updated.
+    /// GDALDriver::pfnOpen: null without an error where the name is not ours or a vector
+    /// program would update it.
     static GDALDataset *Open(GDALOpenInfo *poOpenInfo);
 
     ~QMESHDataset() override;

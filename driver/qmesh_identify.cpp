@@ -17,8 +17,6 @@
 namespace
 {
 
-constexpr const char *pszPrefix = "QMESH:";
-
 /// Enough of a layer.json to tell its format.
 constexpr int nLayerHeadBytes = 16384;
 
@@ -111,6 +109,12 @@ bool IsTile(const GDALOpenInfo *poOpenInfo, const std::string &osPath)
     return BeginsAsTile(abyHead.data(), static_cast<int>(abyHead.size()));
 }
 
+/// Where a look costs a request.
+bool IsOnServer(const std::string &osPath)
+{
+    return osPath.find("://") != std::string::npos;
+}
+
 /// A name that begins with the prefix is meant for this driver, whatever is there.
 QMESHName PrefixedName(const char *pszName)
 {
@@ -125,7 +129,8 @@ QMESHName PrefixedName(const char *pszName)
 
 std::string QMESHStripPrefix(const char *pszName)
 {
-    std::string osPath(STARTS_WITH_CI(pszName, pszPrefix) ? pszName + strlen(pszPrefix) : pszName);
+    std::string osPath(STARTS_WITH_CI(pszName, QMESHPrefix) ? pszName + strlen(QMESHPrefix)
+                                                            : pszName);
     while (osPath.size() > 1 && osPath.back() == '/')
         osPath.pop_back();
     return osPath;
@@ -143,9 +148,9 @@ std::string QMESHFolderOf(const char *pszName)
 QMESHName QMESHIdentifyName(GDALOpenInfo *poOpenInfo)
 {
     const char *pszName = poOpenInfo->pszFilename;
-    if (STARTS_WITH_CI(pszName, pszPrefix))
+    if (STARTS_WITH_CI(pszName, QMESHPrefix))
         return PrefixedName(pszName);
-    const std::string osPath = QMESHStripPrefix(pszName);
+    std::string osPath = QMESHStripPrefix(pszName);
     if (poOpenInfo->bIsDirectory)
     {
         if (qmesh::isTerrainSet(osPath))
@@ -168,6 +173,13 @@ QMESHName QMESHIdentifyName(GDALOpenInfo *poOpenInfo)
 
 int QMESHIdentify(GDALOpenInfo *poOpenInfo)
 {
-    const QMESHKind eKind = QMESHIdentifyName(poOpenInfo).eKind;
-    return eKind == QMESHKind::Other ? GDAL_IDENTIFY_FALSE : GDAL_IDENTIFY_TRUE;
+    const QMESHName oName = QMESHIdentifyName(poOpenInfo);
+    if (oName.eKind == QMESHKind::Other)
+        return GDAL_IDENTIFY_FALSE;
+    // GDAL deletes what is identified before it writes there. Opening says best what is missing.
+    VSIStatBufL sStat;
+    if (STARTS_WITH_CI(poOpenInfo->pszFilename, QMESHPrefix) && !IsOnServer(oName.osPath) &&
+        VSIStatExL(oName.osPath.c_str(), &sStat, VSI_STAT_EXISTS_FLAG) != 0)
+        return GDAL_IDENTIFY_UNKNOWN;
+    return GDAL_IDENTIFY_TRUE;
 }

@@ -6,6 +6,9 @@
 
 #include <gdal_priv.h>
 
+/// Before any path: what follows is ours.
+constexpr const char *QMESHPrefix = "QMESH:";
+
 /// What a dataset name means to the driver.
 enum class QMESHKind
 {

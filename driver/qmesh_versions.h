@@ -13,7 +13,8 @@
 // virtual.
 #define QMESH_HAS_LAYER_HOOKS QMESH_GDAL_SINCE(3, 11)
 
-// 3.12: the vector getters of datasets and layers are const, and give const pointers. Those of bands are not.
+// 3.12: the vector getters of datasets and layers are const, and give const pointers. Those of
+// bands are not.
 #if QMESH_GDAL_SINCE(3, 12)
 #define QMESH_CONST_GETTER const
 #else

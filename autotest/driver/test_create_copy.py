@@ -291,3 +291,12 @@ def test_a_set_is_a_source_too(qmesh, vsimem):
     first = qmesh.CreateCopy(vsimem + "/first", hilly(), options=[*SMALL, "MAX_ZOOM=6"])
     qmesh.CreateCopy(vsimem + "/second", first, options=[*SMALL, "MAX_ZOOM=6", "METHOD=delaunay"])
     assert gdal.Open(vsimem + "/second").RasterXSize == first.RasterXSize
+
+
+def test_a_new_name_with_the_prefix_makes_no_noise(tmp_path):
+    """The prefix alone names the driver."""
+    hilly(rows=40, columns=40, name=str(tmp_path / "dem.tif"), driver="GTiff").FlushCache()
+    done = subprocess.run(["gdal_translate", "-q", "-co", "TILESIZE=32", tmp_path / "dem.tif", f"QMESH:{tmp_path}/set"],
+                          capture_output=True, text=True)
+    assert (done.returncode, done.stderr) == (0, ""), done.stderr
+    assert (tmp_path / "set" / "layer.json").exists()

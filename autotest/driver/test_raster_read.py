@@ -79,10 +79,16 @@ def test_a_tile_alone_without_layer_json(small_set, tmp_path):
         raster(f"QMESH:{nameless}")
 
 
-def test_opening_for_update_is_refused_in_silence(small_set):
+def test_opening_for_update_is_refused(small_set):
+    with pytest.raises(RuntimeError, match="QMESH: .*read-only"):
+        gdal.Open(str(small_set), gdal.GA_Update)
+
+
+def test_opening_for_update_is_refused_in_silence_to_vector_programs(small_set):
+    """They try it first: ogrinfo, QGIS."""
     with heard() as said:
         try:
-            dataset = gdal.OpenEx(str(small_set), gdal.OF_RASTER | gdal.OF_UPDATE)
+            dataset = gdal.OpenEx(str(small_set), gdal.OF_VECTOR | gdal.OF_UPDATE)
         except RuntimeError:
             dataset = None
     assert dataset is None and not [text for _, text in said if "QMESH" in text]
