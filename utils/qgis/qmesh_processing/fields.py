@@ -29,6 +29,7 @@ from . import rows
 
 # Files that the command writes, with the filter of the file dialog.
 _WRITTEN = {"report": "JSON files (*.json)"}
+_WRITTEN_FOLDERS = {"debug-meshes"}
 
 
 class Field:
@@ -260,6 +261,14 @@ class WrittenFile(Field):
         return self.option(form.algorithm.parameterAsFileOutput(form.parameters, self.name, form.context))
 
 
+class WrittenFolder(Field):
+    def parameter(self):
+        return QgsProcessingParameterFolderDestination(self.name, self.label, optional=True, createByDefault=False)
+
+    def words(self, form):
+        return self.option(form.text(self.name))
+
+
 class WrittenRaster(Field):
     def parameter(self):
         return QgsProcessingParameterRasterDestination(self.name, self.label, optional=True, createByDefault=False)
@@ -317,6 +326,8 @@ def field(row):
         return _BY_NAME[row["name"]](row)
     if row["name"] in _WRITTEN:
         return WrittenFile(row)
+    if row["name"] in _WRITTEN_FOLDERS:
+        return WrittenFolder(row)
     if row.get("repeatable"):
         return Lines(row)
     if row.get("choices"):
