@@ -27,7 +27,7 @@ qmesh_install "${QMESH_BUILD_PACKAGES[@]}" "${QMESH_VIEW_PACKAGES[@]}"
 
 echo "2/3 Building; a few minutes the first time"
 quietly cmake -S "$root" -B "$root/build" -DCMAKE_BUILD_TYPE=Release -DQMESH_BUILD_TESTS=OFF
-quietly cmake --build "$root/build" --target gdal2qmesh --parallel "$(nproc)"
+quietly cmake --build "$root/build" --target gdal2qmesh qmeshinfo gdal_QMESH --parallel "$(nproc)"
 
 echo "3/3 Terrain of data/jacksboro_srtm3.tif"
 "$root/build/bin/gdal2qmesh" --overwrite -w cesium -t "Jacksboro, Tennessee" -c "SRTM, NASA" \
@@ -43,4 +43,8 @@ To look at it, start a web server:
 
 and open http://localhost:8000/ in a browser. The page fetches CesiumJS from the internet; to keep a copy
 beside the terrain instead, add --cesium DIR to gdal2qmesh.
+
+The commands gdal2qmesh and qmeshinfo, and the driver for GDAL, work from where they were built:
+
+    export PATH=$(printf %q "$root/build/bin"):\$PATH GDAL_DRIVER_PATH=$(printf %q "$root/build/gdalplugins")
 END

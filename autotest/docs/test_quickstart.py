@@ -22,4 +22,8 @@ def test_quickstart_makes_terrain_with_a_page(tmp_path):
     assert str(terrain) in run.stdout
     assert json.loads((terrain / "layer.json").read_text())["format"] == "quantized-mesh-1.0"
     assert (terrain / "index.html").exists()
+    export = next(line for line in run.stdout.splitlines() if line.strip().startswith("export PATH="))
+    words = f"{export}; qmeshinfo --validate {terrain} && gdalinfo {terrain}"
+    tried = subprocess.run(["bash", "-c", words], capture_output=True, text=True)
+    assert tried.returncode == 0 and "Driver: QMESH" in tried.stdout, tried.stdout + tried.stderr
     assert (terrain / "0/0/0.terrain").exists() and (terrain / "0/1/0.terrain").exists()
