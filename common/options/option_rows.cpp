@@ -145,7 +145,7 @@ Rows pyramidRows() {
                 "with nodes as close as the DEM's cells. 0 to 24."),
       zoomRow("min-zoom", &Options::minZoom)
           .whenUnset("0")
-          .help("The first zoom; CesiumJS needs zoom 0 unless the set lies over another one."),
+          .help("The first zoom; CesiumJS needs zoom 0, also where the set lies over another one."),
       zoomRow("max-zoom", &Options::maxZoom)
           .whenUnset("the DEM's native zoom")
           .help("The last zoom."),

@@ -17,7 +17,7 @@ using Kinds = std::vector<FindingKind>;
 
 Kinds layerKinds() {
   return {
-      {101, kError, "layer.json is missing",
+      {101, kError, "layer.json is missing or empty",
        "Clients take a set without it for another format, or show nothing.",
        "Write a layer.json beside the zoom folders."},
       {102, kError, "layer.json is not JSON", "No client can read it.",
