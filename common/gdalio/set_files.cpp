@@ -222,7 +222,7 @@ Status renameSet(const std::string& from, const std::string& to) {
   const auto move = [&](const std::string& a, const std::string& b) {
     return renamePath(a == layer ? aside : a, b);
   };
-  const Status status = forEachFile(set, from, to, move);
+  Status status = forEachFile(set, from, to, move);
   if (status.ok()) {
     removeEmptyFolders(from, set.folders);
     return {};
@@ -238,7 +238,7 @@ Status renameSet(const std::string& from, const std::string& to) {
 Status copySet(const std::string& from, const std::string& to) {
   QMESH_RETURN_IF_ERROR(checkTarget(from, to));
   const SetFiles set = listSet(from);
-  const Status status = forEachFile(set, from, to, copyFile);
+  Status status = forEachFile(set, from, to, copyFile);
   if (!status.ok()) {
     QuietErrors errors;
     for (const std::string& name : set.files)

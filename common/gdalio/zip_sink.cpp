@@ -220,7 +220,7 @@ Result<std::string> ZipSink::scratchFolder() {
   const std::lock_guard<std::mutex> guard(mutex_);
   if (!scratch_.empty())
     return scratch_;
-  const Result<std::string> made = makeScratchFolder(work_);
+  Result<std::string> made = makeScratchFolder(work_);
   if (made.ok())
     scratch_ = *made;
   return made;
