@@ -11,13 +11,15 @@ for folder in (_HERE, _HERE.parent / "utils", _HERE.parent, _HERE.parent / "tool
     sys.path.insert(0, str(folder))
 
 ROOT = _HERE.parents[1]
+_INCLUDE = re.compile(r"^```\{include\} (\S+)$", re.M)
 _FENCE = re.compile(r"^```(\w+)\n(.*?)^```$", re.M | re.S)
 
 
 def pages():
-    """The README and every page of docs/, parts included by others left out."""
-    found = [p for p in sorted((ROOT / "docs").rglob("*.md")) if "reference" not in p.parts]
-    return [ROOT / "README.md", *found]
+    """The README and every page of docs/, parts that others include left out."""
+    found = sorted((ROOT / "docs").rglob("*.md"))
+    parts = {(page.parent / name).resolve() for page in found for name in _INCLUDE.findall(page.read_text())}
+    return [ROOT / "README.md", *(page for page in found if page not in parts)]
 
 
 def blocks(page, language):

@@ -28,6 +28,8 @@ ELSEWHERE = {
 ELSEWHERE_BEGINNINGS = {
     "cmake ": "autotest/run.sh builds with the presets, autotest/install installs",
     "python3 autotest/bench/": "autotest/utils/test_bench.py; the long ones by hand for docs/benchmarks.md",
+    "valgrind --tool=callgrind build/bin/": "by hand for docs/benchmarks.md",
+    "callgrind_annotate": "by hand for docs/benchmarks.md",
     "build/bin/bench_": "autotest/run.sh, stage `benchmark programs`",
     "qgis_process": "autotest/qgis",
     "export PKG_CONFIG_PATH=": "autotest/install",

@@ -147,8 +147,10 @@ Result<PyramidPlan> planPyramid(const BuildOptions& options, const NodeSourceFac
     addBoxAcrossAntimeridian(options, box, plan);
   if (plan.tiles.count(plan.maxZoom) == 0) {
     const bool chosen = options.minX || options.maxX || options.minY || options.maxY;
+    const char* limits =
+        options.compareTile ? "--compare-tile leaves" : "--min-x/--max-x/--min-y/--max-y leave";
     return Status(chosen ? Code::usage : Code::input,
-                  chosen ? "--min-x/--max-x/--min-y/--max-y leave no tile of zoom " +
+                  chosen ? std::string(limits) + " no tile of zoom " +
                                std::to_string(plan.maxZoom) + " that meets the data"
                          : options.input + ": lies outside the tile matrix of the profile");
   }
