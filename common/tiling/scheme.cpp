@@ -34,6 +34,10 @@ double fromMiddle(std::int64_t numerator, std::int64_t denominator) {
 
 } // namespace
 
+std::string tileName(TileId tile) {
+  return std::to_string(tile.z) + "/" + std::to_string(tile.x) + "/" + std::to_string(tile.y);
+}
+
 GeoBox Scheme::box(TileId tile) const {
   const std::int64_t columns = tilesX(tile.z);
   const std::int64_t rows = tilesY(tile.z);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 namespace qmesh {
 
@@ -20,9 +21,12 @@ struct TileId {
   TileId parent() const { return {z - 1, x / 2, y / 2}; }
 };
 
+/// "12/706/2850": zoom, column and row from the south.
+std::string tileName(TileId tile);
+
 enum class Profile {
-  geodetic,  ///< EPSG:4326, two root tiles
-  mercator,  ///< EPSG:3857, one root tile
+  geodetic, ///< EPSG:4326, two root tiles
+  mercator, ///< EPSG:3857, one root tile
 };
 
 /// A box in degrees on WGS 84.
@@ -67,4 +71,4 @@ class Scheme {
   Profile profile_;
 };
 
-}  // namespace qmesh
+} // namespace qmesh

@@ -9,10 +9,6 @@ namespace qmesh {
 
 namespace {
 
-std::string tileText(TileId tile) {
-  return std::to_string(tile.z) + "/" + std::to_string(tile.x) + "/" + std::to_string(tile.y);
-}
-
 /// A tile of the level `zoom` whose parent is not listed; nothing where there is none. Looks at the
 /// parents as rectangles: few, however many tiles.
 std::optional<TileId> orphan(const ListedTiles& listed, int zoom) {
@@ -66,7 +62,7 @@ void checkListedTiles(const LayerJson& layer, const ListedTiles& listed, Finding
   const Scheme scheme(layer.profile);
   for (std::uint32_t x = 0; x < scheme.tilesX(0); ++x)
     if (!listed.contains({0, x, 0}))
-      add(112, tileText({0, x, 0}), "");
+      add(112, tileName({0, x, 0}), "");
   bool begun = false;
   for (int zoom = 0; zoom < listed.maxZoom(); ++zoom) {
     begun = begun || listed.count(zoom) > 0;
@@ -76,7 +72,7 @@ void checkListedTiles(const LayerJson& layer, const ListedTiles& listed, Finding
   for (int zoom = 2; zoom <= listed.maxZoom(); ++zoom)
     if (listed.count(zoom - 1) > 0)
       if (const auto tile = orphan(listed, zoom))
-        add(603, tileText(*tile), tileText(tile->parent()) + " is not listed");
+        add(603, tileName(*tile), tileName(tile->parent()) + " is not listed");
   checkBounds(layer, listed, findings);
 }
 

@@ -12,7 +12,7 @@
 #include "gdalio/crs.h"
 #include "gdalio/pixel_reader.h"
 #include "in_order.h"
-#include "tile_cache.h"
+#include "surface_cache.h"
 
 namespace qmesh {
 
@@ -103,7 +103,7 @@ class Worker {
   DatasetPtr dataset_;
   PointTransform transform_;
   PixelReader reader_;
-  TileCache tiles_;
+  SurfaceCache tiles_;
   PixelWindow window_;
   std::vector<Cell> cells_;
 };
@@ -210,12 +210,58 @@ void finish(LevelError& level, std::vector<float>& kept) {
   level.p99 = double(*place);
 }
 
-std::vector<int> zoomsWithTiles(const TerrainSet& set, int first, int last) {
+std::vector<int> zoomsWithTiles(const TerrainSet& set, const MeasurePlan& plan) {
   std::vector<int> zooms;
-  for (int zoom = first; zoom <= last; ++zoom)
+  for (int zoom = plan.firstZoom; zoom <= plan.lastZoom; ++zoom)
     if (set.available().count(zoom) > 0 || zoom > set.available().maxZoom())
       zooms.push_back(zoom);
   return zooms;
+}
+
+/// Sums of all blocks.
+class Totals {
+ public:
+  Totals(DemReport& report, const std::vector<int>& zooms, std::int64_t cells)
+      : report_(report), kept_(zooms.size()), keepEvery_((cells + kMostKept - 1) / kMostKept) {
+    report_.levels.resize(zooms.size());
+    for (std::size_t k = 0; k < zooms.size(); ++k)
+      report_.levels[k].zoom = zooms[k];
+  }
+
+  /// Of how many cells one is kept for the percentile.
+  std::int64_t keepEvery() const { return keepEvery_; }
+
+  void add(const Block& block, const MeasuredBlock& measured) {
+    report_.cells += std::uint64_t(block.width) * std::uint64_t(block.height);
+    report_.voids += measured.voids;
+    for (std::size_t k = 0; k < kept_.size(); ++k) {
+      const std::vector<float>& more = measured.zooms[k].kept;
+      addTo(report_.levels[k], measured.zooms[k].sums);
+      kept_[k].insert(kept_[k].end(), more.begin(), more.end());
+    }
+  }
+
+  void finishAll() {
+    for (std::size_t k = 0; k < kept_.size(); ++k)
+      finish(report_.levels[k], kept_[k]);
+  }
+
+ private:
+  DemReport& report_;
+  std::vector<std::vector<float>> kept_;
+  std::int64_t keepEvery_;
+};
+
+Result<std::vector<std::unique_ptr<Worker>>> openWorkers(const TerrainSet& set,
+                                                         const RasterInput& dem, int count) {
+  std::vector<std::unique_ptr<Worker>> workers;
+  for (int k = 0; k < count; ++k) {
+    Result<std::unique_ptr<Worker>> worker = Worker::open(set, dem);
+    if (!worker.ok())
+      return worker.status();
+    workers.push_back(*std::move(worker));
+  }
+  return workers;
 }
 
 /// The blocks of a grid, row by row.
@@ -243,21 +289,17 @@ class BlockList {
 
 } // namespace
 
-Result<DemReport> measureAgainstDem(const TerrainSet& set, int firstZoom, int lastZoom,
-                                    const InfoOptions& options, int threads,
-                                    std::vector<std::string>& warnings, const Progress& progress) {
+Result<DemReport> measureAgainstDem(const TerrainSet& set, const MeasurePlan& plan,
+                                    const InfoOptions& options, std::vector<std::string>& warnings,
+                                    const Progress& progress) {
   const Result<RasterInput> dem = describeRaster(options, nullptr, warnings);
   if (!dem.ok())
     return dem.status();
   const CellGrid grid = gridOf(dem->frame, options.demStep);
-  const std::vector<int> zooms = zoomsWithTiles(set, firstZoom, lastZoom);
-  std::vector<std::unique_ptr<Worker>> workers;
-  for (int k = 0; k < threads; ++k) {
-    Result<std::unique_ptr<Worker>> worker = Worker::open(set, *dem);
-    if (!worker.ok())
-      return worker.status();
-    workers.push_back(*std::move(worker));
-  }
+  const std::vector<int> zooms = zoomsWithTiles(set, plan);
+  const auto workers = openWorkers(set, *dem, plan.threads);
+  if (!workers.ok())
+    return workers.status();
   std::optional<ErrorRaster> raster;
   if (!options.errorRaster.empty()) {
     Result<ErrorRaster> file =
@@ -269,21 +311,12 @@ Result<DemReport> measureAgainstDem(const TerrainSet& set, int firstZoom, int la
   DemReport report;
   report.file = options.input;
   report.step = grid.step;
-  report.levels.resize(zooms.size());
-  for (std::size_t k = 0; k < zooms.size(); ++k)
-    report.levels[k].zoom = zooms[k];
-  std::vector<std::vector<float>> kept(zooms.size());
   const std::int64_t cells = std::int64_t(grid.columns) * grid.rows;
-  const std::int64_t keepEvery = (cells + kMostKept - 1) / kMostKept;
+  Totals totals(report, zooms, cells);
 
   const auto take = [&](const Block& block, MeasuredBlock measured) -> Status {
     QMESH_RETURN_IF_ERROR(measured.fault);
-    report.cells += std::uint64_t(block.width) * std::uint64_t(block.height);
-    report.voids += measured.voids;
-    for (std::size_t k = 0; k < zooms.size(); ++k) {
-      addTo(report.levels[k], measured.zooms[k].sums);
-      kept[k].insert(kept[k].end(), measured.zooms[k].kept.begin(), measured.zooms[k].kept.end());
-    }
+    totals.add(block, measured);
     if (raster)
       QMESH_RETURN_IF_ERROR(
           raster->write(block.column, block.row, block.width, block.height, measured.raster));
@@ -293,14 +326,13 @@ Result<DemReport> measureAgainstDem(const TerrainSet& set, int firstZoom, int la
   };
   BlockList blocks(grid);
   QMESH_RETURN_IF_ERROR(inOrder(
-      threads, [&] { return blocks.next(); },
+      plan.threads, [&] { return blocks.next(); },
       [&](const Block& block, int thread) {
-        return workers[std::size_t(thread)]->measure(block, grid, zooms, keepEvery,
-                                                     raster.has_value());
+        return (*workers)[std::size_t(thread)]->measure(block, grid, zooms, totals.keepEvery(),
+                                                        raster.has_value());
       },
       take));
-  for (std::size_t k = 0; k < zooms.size(); ++k)
-    finish(report.levels[k], kept[k]);
+  totals.finishAll();
   if (raster)
     QMESH_RETURN_IF_ERROR(raster->close());
   return report;

@@ -32,13 +32,19 @@ struct DemReport {
   std::vector<LevelError> levels;
 };
 
-/// Compares the surface of each zoom firstZoom..lastZoom that has tiles with the DEM of `options`
+/// What to measure, and how.
+struct MeasurePlan {
+  int firstZoom = 0, lastZoom = 0;
+  int threads = 1;
+};
+
+/// Compares the surface of each zoom of the plan that has tiles with the DEM of `options`
 /// (read as gdal2qmesh reads it) at the centres of its cells, every `demStep`-th. The errors are
 /// the same for any number of threads. With `errorRaster` the deepest of these zooms is written
 /// there. p99 is over all cells, or a regular part of them where there are more than 2 million.
 /// Code::input, Code::output or Code::interrupted.
-Result<DemReport> measureAgainstDem(const TerrainSet& set, int firstZoom, int lastZoom,
-                                    const InfoOptions& options, int threads,
-                                    std::vector<std::string>& warnings, const Progress& progress);
+Result<DemReport> measureAgainstDem(const TerrainSet& set, const MeasurePlan& plan,
+                                    const InfoOptions& options, std::vector<std::string>& warnings,
+                                    const Progress& progress);
 
 } // namespace qmesh

@@ -39,10 +39,6 @@ Result<std::string> layerText(const std::string& path) {
 
 } // namespace
 
-std::string tileName(TileId tile) {
-  return std::to_string(tile.z) + "/" + std::to_string(tile.x) + "/" + std::to_string(tile.y);
-}
-
 Result<OpenedSet> openSet(const std::string& path) {
   if (isTilePath(path)) {
     Result<TerrainSet> tile = TerrainSet::openTile(path);

@@ -22,7 +22,4 @@ struct OpenedSet {
 /// Code::input where nothing can be looked at.
 Result<OpenedSet> openSet(const std::string& path);
 
-/// "z/x/y".
-std::string tileName(TileId tile);
-
 } // namespace qmesh

@@ -6,7 +6,7 @@
 
 #include "base/text.h"
 #include "options/info_options.h"
-#include "tile_cache.h"
+#include "surface_cache.h"
 
 namespace qmesh {
 
@@ -27,7 +27,7 @@ std::vector<std::string> withStandardInput(const std::vector<std::string>& texts
   return all;
 }
 
-Status sample(TileCache& tiles, const Scheme& scheme, int lastZoom, Sample& place) {
+Status sample(SurfaceCache& tiles, const Scheme& scheme, int lastZoom, Sample& place) {
   for (int zoom = lastZoom; zoom >= 0; --zoom) {
     const auto position = tileAt(scheme, zoom, place.lon, place.lat);
     if (!position)
@@ -48,7 +48,7 @@ Status sample(TileCache& tiles, const Scheme& scheme, int lastZoom, Sample& plac
 
 Result<std::vector<Sample>> samplePlaces(const TerrainSet& set, int lastZoom,
                                          const std::vector<std::string>& texts) {
-  TileCache tiles(set);
+  SurfaceCache tiles(set);
   std::vector<Sample> samples;
   for (const std::string& text : withStandardInput(texts)) {
     const auto place = parseLonLat(text);

@@ -108,8 +108,8 @@ class InfoRun {
 
   Status measure() {
     std::vector<std::string> warnings;
-    Result<DemReport> dem = measureAgainstDem(set_, firstZoom_, lastZoom_, options_,
-                                              threadsOf(options_), warnings, progress());
+    Result<DemReport> dem = measureAgainstDem(set_, {firstZoom_, lastZoom_, threadsOf(options_)},
+                                              options_, warnings, progress());
     for (const std::string& warning : warnings)
       console_.warning(warning);
     if (!dem.ok())

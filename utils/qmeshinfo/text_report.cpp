@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstring>
 
 #include "base/text.h"
 #include "info_report.h"
@@ -14,7 +15,8 @@ namespace {
 std::string fixed(double value, int digits) {
   char text[64];
   std::snprintf(text, sizeof text, "%.*f", digits, value);
-  return text;
+  const bool zero = std::strspn(text, "-0.") == std::strlen(text);
+  return zero && text[0] == '-' ? text + 1 : text;
 }
 
 std::string boxText(const GeoBox& box) {

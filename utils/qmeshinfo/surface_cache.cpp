@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the qmesh authors
-#include "tile_cache.h"
+#include "surface_cache.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,37 +25,29 @@ std::optional<TilePosition> tileAt(const Scheme& scheme, int zoom, double lon, d
   return position;
 }
 
-Result<const TileCache::Entry*> TileCache::find(TileId tile) {
-  const auto known = std::find_if(entries_.begin(), entries_.end(),
-                                  [&](const Entry& entry) { return entry.tile == tile; });
-  if (known != entries_.end()) {
-    entries_.splice(entries_.begin(), entries_, known);
-    return &entries_.front();
-  }
-  Entry entry;
-  entry.tile = tile;
+Result<const SurfaceCache::Surface*> SurfaceCache::find(TileId tile) {
+  if (const SurfacePtr* known = surfaces_.find(tile))
+    return known->get();
+  SurfacePtr surface;
   if (set_->mayHave(tile)) {
     Result<std::optional<TileMesh>> mesh = set_->readTile(tile);
     if (!mesh.ok())
       return mesh.status();
-    if (*mesh) {
-      entry.mesh = std::make_unique<TileMesh>(*std::move(*mesh));
-      entry.search = std::make_unique<SurfaceSearch>(*entry.mesh);
-    }
+    if (*mesh)
+      surface = std::make_unique<Surface>(*std::move(*mesh));
   }
-  entries_.push_front(std::move(entry));
-  if (entries_.size() > kKept)
-    entries_.pop_back();
-  return &entries_.front();
+  const Surface* found = surface.get();
+  surfaces_.put(tile, std::move(surface), 1);
+  return found;
 }
 
-Result<std::optional<double>> TileCache::heightAt(const TilePosition& position) {
-  const Result<const Entry*> entry = find(position.tile);
-  if (!entry.ok())
-    return entry.status();
-  if (!(*entry)->mesh)
+Result<std::optional<double>> SurfaceCache::heightAt(const TilePosition& position) {
+  const Result<const Surface*> surface = find(position.tile);
+  if (!surface.ok())
+    return surface.status();
+  if (!*surface)
     return std::optional<double>();
-  return (*entry)->search->heightAt(position.u, position.v);
+  return (*surface)->search.heightAt(position.u, position.v);
 }
 
 } // namespace qmesh

@@ -2,11 +2,12 @@
 // Copyright (c) 2026 the qmesh authors
 #pragma once
 
-#include <list>
 #include <memory>
 #include <optional>
 
+#include "base/lru_cache.h"
 #include "gdalio/terrain_set.h"
+#include "gdalio/tile_cache.h"
 #include "surface/surface_search.h"
 
 namespace qmesh {
@@ -23,9 +24,9 @@ struct TilePosition {
 std::optional<TilePosition> tileAt(const Scheme& scheme, int zoom, double lon, double lat);
 
 /// Decoded tiles with their surfaces, the last used ones kept. Serves one thread.
-class TileCache {
+class SurfaceCache {
  public:
-  explicit TileCache(const TerrainSet& set) : set_(&set) {}
+  explicit SurfaceCache(const TerrainSet& set) : set_(&set), surfaces_(kKept) {}
 
   /// Height in metres of the tile's surface; nothing where there is no tile or no triangle.
   /// Code::input for a tile that cannot be read.
@@ -34,16 +35,18 @@ class TileCache {
  private:
   static constexpr std::size_t kKept = 96; ///< tiles
 
-  struct Entry {
-    TileId tile;
-    std::unique_ptr<TileMesh> mesh; ///< null: there is no such tile
-    std::unique_ptr<SurfaceSearch> search;
+  struct Surface {
+    explicit Surface(TileMesh decoded) : mesh(std::move(decoded)), search(mesh) {}
+    TileMesh mesh;
+    SurfaceSearch search; ///< of the mesh
   };
+  using SurfacePtr = std::unique_ptr<Surface>; ///< null: there is no such tile
 
-  Result<const Entry*> find(TileId tile);
+  /// Valid until the next call.
+  Result<const Surface*> find(TileId tile);
 
   const TerrainSet* set_;
-  std::list<Entry> entries_; ///< the last used one first
+  LruCache<TileId, SurfacePtr, TileIdHash> surfaces_;
 };
 
 } // namespace qmesh
