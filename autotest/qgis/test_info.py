@@ -44,6 +44,18 @@ def test_a_good_set_in_qgis_process(run_process, terrain, tmp_path):
     assert "<h3>Levels</h3>" in page and "0 errors" in page and "jacksboro" in page
 
 
+def test_one_tile_alone(run_process, terrain, tmp_path):
+    tile = max(terrain.glob("8/*/*.terrain"), key=lambda path: path.stat().st_size)
+    results = run_process("qmesh:info", INPUT=tile, REPORT=tmp_path / "i.html").succeeded()
+    own = asked("--stats", "--validate", tile)["tile"]
+    assert (results["TILES"], results["VALID"]) == ("1", "true")
+    assert int(results["TRIANGLE_COUNT"]) == own["triangles"] > 0
+    page = (tmp_path / "i.html").read_text()
+    assert own["tile"] in page and str(own["vertices"]) in page and "0 errors" in page
+    measured = run_process("qmesh:measure", INPUT=tile, DEM=DEM).succeeded()
+    assert measured["ZOOM_MEASURED"] == "8"
+
+
 def test_a_damaged_set_is_no_failure_but_not_valid(qgis, feedback, damaged):
     import processing
 

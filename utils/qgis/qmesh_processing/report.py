@@ -25,14 +25,24 @@ def _table(columns, lines):
     return f"<table><tr>{head}</tr>{body}</table>"
 
 
-def _description(layer):
-    keys = ("name", "description", "attribution", "version", "projection", "scheme", "bounds", "extensions", "generator",
-            "method", "cellsPerTile")  # fmt: skip
-    lines = [{"key": key, "value": layer.get(key)} for key in keys if layer.get(key) not in (None, "", [])]
+def _values(described, keys, heading):
+    """What there is of these keys, a line each."""
+    lines = [{"key": key, "value": described.get(key)} for key in keys if described.get(key) not in (None, "", [])]
     for line in lines:
         if isinstance(line["value"], list):
             line["value"] = ", ".join(_text(part) for part in line["value"])
-    return _table([("key", "layer.json"), ("value", "")], lines)
+    return _table([("key", heading), ("value", "")], lines)
+
+
+def _description(layer):
+    keys = ("name", "description", "attribution", "version", "projection", "scheme", "bounds", "extensions", "generator",
+            "method", "cellsPerTile")  # fmt: skip
+    return _values(layer, keys, "layer.json")
+
+
+def _tile(tile):
+    keys = ("tile", "box", "bytes", "triangles", "vertices", "minHeight", "maxHeight", "lowest", "highest", "extensions")
+    return _values(tile, keys, "tile")
 
 
 def _levels(described):
@@ -78,6 +88,8 @@ def page(described):
     body = f"<h2>{_text(described['set'])}</h2>"
     if "layer" in described:
         body += _description(described["layer"]) + _levels(described)
+    if "tile" in described:
+        body += _tile(described["tile"])
     if "validation" in described:
         body += _validation(described["validation"])
     if "dem" in described:

@@ -96,7 +96,8 @@ class Info(InfoAlgorithm):
         self.addOutput(QgsProcessingOutputBoolean("VALID", "No finding is an error"))
 
     def results(self, found, feedback):
-        results = {"TILES": sum(level["tiles"] for level in found["levels"])}
+        # No levels: one tile alone was looked at.
+        results = {"TILES": sum(level["tiles"] for level in found["levels"]) if "levels" in found else 1}
         if "stats" in found:
             levels = found["stats"]["levels"]
             results["TRIANGLE_COUNT"] = sum(level["triangles"] for level in levels)
