@@ -6,6 +6,7 @@
 
 #include "grid/node_window.h"
 #include "grid/reduce.h"
+#include "simplify/simplifier.h"
 
 namespace qmesh {
 
@@ -16,8 +17,8 @@ constexpr int kMaxDepth = 3;                  ///< blocks of 8 x 8 tiles
 constexpr std::size_t kBaseBytes = 24 * kMiB; ///< program, libraries, tables
 constexpr std::size_t kMinCache = 8 * kMiB;
 constexpr std::size_t kMinStore = 4 * kMiB;
-constexpr std::size_t kMeshBytesPerNode = 96; ///< triangulation and encoder at their worst
 constexpr std::size_t kScheduleBytesPerTile = 32;
+constexpr std::size_t kBytesPerEdge = 96; ///< of EdgeStore, beside the places of its vertices
 constexpr std::uint64_t kBlocksPerThread = 4;
 
 /// Blocks of the stage: ancestors of every tile it meshes.
@@ -51,15 +52,33 @@ std::size_t bytesPerThread(const BuildOptions& options, int depth, std::size_t b
   }
   const std::size_t edge = std::size_t(options.tileSize) + 1;
   const bool bridging = options.voidFill == VoidFill::interpolate;
-  return bytes + edge * edge * (kMeshBytesPerNode + (bridging ? sizeof(float) : 0));
+  const std::size_t meshing = bytesPerNode(*findSimplifier(options.method), options);
+  return bytes + edge * edge * (meshing + (bridging ? sizeof(float) : 0));
+}
+
+/// The most edges of a level that are built and wait for the tile beyond, under --border inherit: a
+/// front of them, and those at the antimeridian, where tiles come in rows or columns; else up to
+/// all, two for each tile.
+std::size_t waitingEdges(Schedule schedule, const PyramidPlan& plan) {
+  std::size_t edges = 0;
+  for (const TileRange& r : plan.tiles.ranges(plan.maxZoom)) {
+    const std::size_t columns = r.x1 - r.x0 + 1, rows = r.y1 - r.y0 + 1;
+    const bool front = schedule == Schedule::rowwise || schedule == Schedule::columnwise;
+    edges += 2 * (front ? columns + rows : columns * rows);
+  }
+  return edges;
 }
 
 /// Bytes that do not depend on the threads: under --border inherit also the order of a level's
-/// tiles.
+/// tiles and the edges that wait.
 std::size_t commonBytes(const BuildOptions& options, const PyramidPlan& plan) {
-  const bool ordered = options.border == BorderMode::inherit;
-  return kBaseBytes + kMinCache + kMinStore +
-         (ordered ? kScheduleBytesPerTile * std::size_t(plan.tiles.count(plan.maxZoom)) : 0);
+  const std::size_t common = kBaseBytes + kMinCache + kMinStore;
+  if (options.border != BorderMode::inherit)
+    return common;
+  const std::size_t edgeBytes =
+      kBytesPerEdge + (std::size_t(options.tileSize) + 1) * sizeof(std::uint16_t);
+  return common + kScheduleBytesPerTile * std::size_t(plan.tiles.count(plan.maxZoom)) +
+         edgeBytes * waitingEdges(options.schedule, plan);
 }
 
 int depthOf(int blockTiles) {

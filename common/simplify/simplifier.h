@@ -2,6 +2,7 @@
 // Copyright (c) 2026 the qmesh authors
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <string>
 #include <vector>
@@ -51,6 +52,10 @@ struct SimplifierInfo {
   bool boundsError;     ///< promise P2 holds with the method's defaults
   /// The SPEC option that decides how many triangles there are.
   const char* mainOption;
+  /// Bytes one tile in work takes at most for each of its nodes: the method, its TIN and the
+  /// encoding of it. Measured by autotest/bench/memory_per_method.py, plus a tenth or more. bytesPerNode()
+  /// knows of options that take more.
+  std::size_t bytesPerNode;
   std::unique_ptr<Simplifier> (*create)(const MethodOptions&);
 };
 
@@ -62,6 +67,9 @@ std::vector<Choice> simplifierChoices();
 
 /// nullptr when there is no such method.
 const SimplifierInfo* findSimplifier(const std::string& name);
+
+/// Bytes one tile in work takes at most for each of its nodes with these options.
+std::size_t bytesPerNode(const SimplifierInfo& info, const MethodOptions& options);
 
 /// "tile 7/12/34: WHAT" as Code::internal, for a method that cannot do a tile.
 Status tileFault(TileId tile, const std::string& what);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the qmesh authors
+#include "simplify/simplifier.h"
 #include "synthetic.h"
 
 namespace qmesh {
@@ -46,27 +47,59 @@ TEST(Stages, EveryZoomOnceWhateverTheDepth) {
   }
 }
 
+/// The least --memory that the refusal of too little names, bytes.
+std::uint64_t minimumOf(BuildOptions options, const PyramidPlan& plan) {
+  options.memoryBytes = 10 << 20;
+  const auto refused = planBlocks(options, plan, 16 << 20, 4);
+  EXPECT_FALSE(refused.ok());
+  EXPECT_EQ(refused.status().code(), Code::usage);
+  const std::string text = refused.status().message();
+  const std::size_t at = text.find("at least ");
+  EXPECT_NE(at, std::string::npos) << text;
+  return at == std::string::npos ? 0 : std::uint64_t(std::stoi(text.substr(at + 9))) << 20;
+}
+
 TEST(BlockPlan, StaysWithinMemoryAndNamesTheMinimum) {
   BuildOptions options;
   const PyramidPlan plan = planOf(options, 6);
   options.threads = 16;
-  for (std::uint64_t mb : {64, 128, 256, 512, 4096}) {
+  for (std::uint64_t mb : {96, 128, 256, 512, 4096}) {
     options.memoryBytes = mb << 20;
     const auto blocks = planBlocks(options, plan, 16 << 20, 4);
     ASSERT_TRUE(blocks.ok()) << blocks.status().message();
     EXPECT_GE(blocks->threads, 1);
     EXPECT_LE(blocks->cacheBytes + blocks->storeBytes, options.memoryBytes);
   }
-  options.memoryBytes = 10 << 20;
-  const auto refused = planBlocks(options, plan, 16 << 20, 4);
-  ASSERT_FALSE(refused.ok());
-  EXPECT_EQ(refused.status().code(), Code::usage);
   // The minimum it names is one that works.
-  const std::string& text = refused.status().message();
-  const std::size_t at = text.find("at least ");
-  ASSERT_NE(at, std::string::npos) << text;
-  options.memoryBytes = std::uint64_t(std::stoi(text.substr(at + 9))) << 20;
+  options.memoryBytes = minimumOf(options, plan);
   EXPECT_TRUE(planBlocks(options, plan, 16 << 20, 4).ok());
+}
+
+TEST(BlockPlan, CountsWhatTheMethodTakes) {
+  BuildOptions options;
+  const PyramidPlan plan = planOf(options, 6);
+  options.method = "greedy";
+  const std::uint64_t greedy = minimumOf(options, plan);
+  const double nodes = 257.0 * 257.0;
+  for (const SimplifierInfo& info : simplifiers()) {
+    options.method = info.name;
+    const double more = double(info.bytesPerNode) - double(findSimplifier("greedy")->bytesPerNode);
+    EXPECT_NEAR(double(minimumOf(options, plan)), double(greedy) + more * nodes, 1.0 * (1 << 20))
+        << info.name;
+  }
+}
+
+TEST(BlockPlan, CountsTheEdgesThatWaitUnderInherit) {
+  BuildOptions options;
+  const PyramidPlan plan = planOf(options, 6);
+  const double tiles = double(plan.tiles.count(plan.maxZoom));
+  const double shared = double(minimumOf(options, plan));
+  options.border = BorderMode::inherit;
+  options.schedule = Schedule::fourColour;
+  // Two edges a tile with a vertex at each of 257 nodes.
+  EXPECT_GT(double(minimumOf(options, plan)), shared + tiles * 2 * 2 * 257);
+  options.schedule = Schedule::rowwise;
+  EXPECT_LT(double(minimumOf(options, plan)), shared + tiles * 2 * 257);
 }
 
 TEST(BlockPlan, SmallSetsAreCutSmallerSoThatAllThreadsWork) {
