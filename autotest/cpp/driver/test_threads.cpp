@@ -96,10 +96,15 @@ class WatchedDataset : public GDALDataset {
 };
 
 TEST_F(DriverTest, OneHandleIsReadByOneThreadAtATime) {
-  WatchedDataset watched;
-  ASSERT_TRUE(create(watched, {"NUM_THREADS=4", "BLOCK_TILES=2"}));
-  EXPECT_FALSE(watched.band().together);
-  EXPECT_GT(watched.band().threads.size(), 1u) << "and by several, or this shows nothing";
+  // On a busy machine one thread may have read all before another starts: then once more.
+  std::size_t readers = 0;
+  for (int attempt = 0; attempt < 30 && readers < 2; ++attempt) {
+    WatchedDataset watched;
+    ASSERT_TRUE(create(watched, {"NUM_THREADS=4", "BLOCK_TILES=2"}));
+    EXPECT_FALSE(watched.band().together);
+    readers = watched.band().threads.size();
+  }
+  EXPECT_GT(readers, 1u) << "by several, or this shows nothing";
 }
 
 TEST_F(DriverTest, AnErrorOfAWorkerIsOneErrorOfTheCaller) {
