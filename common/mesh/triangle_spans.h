@@ -30,6 +30,12 @@ inline std::int64_t doubledArea(const SpanCorner& a, const SpanCorner& b, const 
   return std::int64_t(b.u - a.u) * (c.v - a.v) - std::int64_t(b.v - a.v) * (c.u - a.u);
 }
 
+/// Twice the signed area of the triangle of the origin and two places (members u and v) whose
+/// distances from it are within the square's; below 2^31.
+template <class Place> std::int32_t cross(const Place& a, const Place& b) {
+  return a.u * b.v - a.v * b.u;
+}
+
 /// Distance of two vertices in (u, v), squared; exact.
 inline std::int64_t squaredLength(const SpanCorner& a, const SpanCorner& b) {
   const std::int64_t u = a.u - b.u, v = a.v - b.v;

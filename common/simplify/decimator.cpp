@@ -12,11 +12,6 @@ namespace qmesh {
 
 namespace {
 
-/// Twice the area of the triangle of the origin and two places; below 2^31 within the square.
-template <class Place> std::int32_t cross(const Place& a, const Place& b) {
-  return a.u * b.v - a.v * b.u;
-}
-
 /// True where the rounding of a vertex's place, half a unit in u and in v, is worth more height
 /// than the tolerance has to spare: three quarters, as a border's rounding may take the last one.
 /// Such are the slivers between nodes of one line.

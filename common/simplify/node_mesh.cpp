@@ -2,9 +2,8 @@
 // Copyright (c) 2026 the qmesh authors
 #include "simplify/node_mesh.h"
 
-#include <algorithm>
-
 #include "simplify/grid_strips.h"
+#include "simplify/mesh_list.h"
 
 namespace qmesh {
 
@@ -45,21 +44,15 @@ void NodeMesh::resetToAllNodes(const HeightTile& tile, const TileFrame& frame,
                                const Border& border) {
   tile_ = &tile;
   frame_ = &frame;
-  const int n = frame.cells();
-  GridWithStrips grid(n);
-  for (int j = 1; j < n; ++j) {
-    for (int i = 1; i < n; ++i)
-      grid.vertices.push_back(makeVertex(i, j));
-  }
-  grid.addCells();
-  for (const Edge edge : {kSouth, kEast, kNorth, kWest}) {
-    std::vector<NodeVertex> side;
-    for (const std::uint16_t place : border[edge])
-      side.push_back(makeBorderVertex(edge, place));
-    if (edge == kNorth || edge == kWest)
-      std::reverse(side.begin(), side.end());
-    grid.addStrip(edge, side);
-  }
+  GridWithStrips<NodeVertex> grid;
+  grid.make(
+      frame.cells(), [&](int i, int j) { return makeVertex(i, j); },
+      [&](Edge edge) {
+        std::vector<NodeVertex> side;
+        for (const std::uint16_t place : border[edge])
+          side.push_back(makeBorderVertex(edge, place));
+        return side;
+      });
   triangulation_.reset(grid.vertices, grid.triangles);
 }
 
@@ -94,22 +87,11 @@ NodeVertex NodeMesh::makeVertex(int i, int j) const {
 
 void NodeMesh::write(Tin& out) {
   out.clear();
-  newIndex_.assign(triangulation_.vertices().size(), 0);
-  for (std::size_t v = 0; v < triangulation_.vertices().size(); ++v) {
-    if (triangulation_.leaving(std::int32_t(v)) == Triangulation::kNone)
-      continue;
-    const NodeVertex& vertex = triangulation_.vertices()[v];
-    newIndex_[v] = std::uint32_t(out.vertices.size());
+  listMesh(triangulation_, alive_, out.triangles);
+  for (const std::int32_t v : alive_) {
+    const NodeVertex& vertex = triangulation_.vertex(v);
     out.vertices.push_back(
         {std::uint16_t(vertex.corner.u), std::uint16_t(vertex.corner.v), vertex.q});
-  }
-  for (std::int32_t t = 0; t < triangulation_.triangleSlots(); ++t) {
-    if (!triangulation_.alive(t))
-      continue;
-    const auto index = [&](int k) {
-      return newIndex_[std::size_t(triangulation_.origin(3 * t + k))];
-    };
-    out.triangles.push_back({index(0), index(1), index(2)});
   }
 }
 

@@ -52,7 +52,7 @@ class NodeMesh {
   const HeightTile* tile_ = nullptr;
   const TileFrame* frame_ = nullptr;
   Triangulation triangulation_;
-  std::vector<std::uint32_t> newIndex_;
+  std::vector<std::int32_t> alive_;
   std::vector<NodeVertex> given_;
 };
 

@@ -53,8 +53,8 @@ struct SimplifierInfo {
   /// The SPEC option that decides how many triangles there are.
   const char* mainOption;
   /// Bytes one tile in work takes at most for each of its nodes: the method, its TIN and the
-  /// encoding of it. Measured by autotest/bench/memory_per_method.py, plus a tenth or more. bytesPerNode()
-  /// knows of options that take more.
+  /// encoding of it. Measured by autotest/bench/memory_per_method.py, plus a tenth or more.
+  /// bytesPerNode() knows of options that take more.
   std::size_t bytesPerNode;
   std::unique_ptr<Simplifier> (*create)(const MethodOptions&);
 };

@@ -64,18 +64,22 @@ class StartMesh {
  public:
   StartMesh(const HeightTile& tile, const TileFrame& frame, const Border& border,
             const LevelParams& level)
-      : tile_(tile), frame_(frame), border_(border), level_(level), n_(tile.cells()), grid_(n_) {
+      : tile_(tile), frame_(frame), border_(border), level_(level), n_(tile.cells()) {
     rounding_.reset(tile, frame);
   }
 
   void make(CollapseMesh& mesh) {
-    addInnerNodes();
-    for (const Edge edge : {kSouth, kEast, kNorth, kWest}) // as GridWithStrips wants them
-      addEdge(edge);
-    mesh.vertices.clear();
-    for (std::size_t k = 0; k < grid_.vertices.size(); ++k)
-      mesh.vertices.push_back({grid_.vertices[k], mobility_[k]});
-    mesh.triangles.swap(grid_.triangles);
+    const CurvatureGrid curvature(frame_, level_);
+    GridWithStrips<CollapseVertex> grid;
+    grid.make(
+        n_,
+        [&](int i, int j) {
+          const Mobility mobility = curvature.isNode(i, j) ? Mobility::fixed : Mobility::inner;
+          return rounding_.node(i, j, frame_.u(i), frame_.v(j), mobility);
+        },
+        [&](Edge edge) { return verticesOf(edge); });
+    mesh.vertices.swap(grid.vertices);
+    mesh.triangles.swap(grid.triangles);
   }
 
  private:
@@ -93,9 +97,8 @@ class StartMesh {
     return frame_.decode(frame_.quantizeBorder(height(edge, node)));
   }
 
-  void addInnerNodes();
-  void addEdge(Edge edge);
-  NodeVertex edgeVertex(Edge edge, const EdgePlace& vertex) const;
+  std::vector<CollapseVertex> verticesOf(Edge edge) const;
+  CollapseVertex edgeVertex(Edge edge, const EdgePlace& vertex) const;
   std::vector<EdgePlace> placesOf(Edge edge) const;
   std::vector<EdgePlace> freePlaces(Edge edge) const;
   void addPrescribed(const Border& border, Edge edge, std::vector<EdgePlace>& places) const;
@@ -106,20 +109,7 @@ class StartMesh {
   const LevelParams& level_;
   VertexRounding rounding_;
   int n_;
-  GridWithStrips grid_;
-  std::vector<Mobility> mobility_; ///< of the grid's vertices
 };
-
-void StartMesh::addInnerNodes() {
-  const CurvatureGrid curvature(frame_, level_);
-  for (int j = 1; j < n_; ++j) {
-    for (int i = 1; i < n_; ++i) {
-      mobility_.push_back(curvature.isNode(i, j) ? Mobility::fixed : Mobility::inner);
-      grid_.vertices.push_back(rounding_.node(i, j, frame_.u(i), frame_.v(j), mobility_.back()));
-    }
-  }
-  grid_.addCells();
-}
 
 void StartMesh::addPrescribed(const Border& border, Edge edge,
                               std::vector<EdgePlace>& places) const {
@@ -170,26 +160,19 @@ std::vector<EdgePlace> StartMesh::freePlaces(Edge edge) const {
   return places;
 }
 
-NodeVertex StartMesh::edgeVertex(Edge edge, const EdgePlace& vertex) const {
+CollapseVertex StartMesh::edgeVertex(Edge edge, const EdgePlace& vertex) const {
   const int across = isFar(edge) ? kQuantizedMax : 0, line = isFar(edge) ? n_ : 0;
   return alongRow(edge) ? rounding_.node(vertex.node, line, vertex.place, across, vertex.mobility)
                         : rounding_.node(line, vertex.node, across, vertex.place, vertex.mobility);
 }
 
-void StartMesh::addEdge(Edge edge) {
+std::vector<CollapseVertex> StartMesh::verticesOf(Edge edge) const {
   std::vector<EdgePlace> places = placesOf(edge);
   places.front().mobility = places.back().mobility = Mobility::fixed;
-  if (edge == kNorth || edge == kWest)
-    std::reverse(places.begin(), places.end());
-  std::vector<NodeVertex> side;
+  std::vector<CollapseVertex> vertices;
   for (const EdgePlace& each : places)
-    side.push_back(edgeVertex(edge, each));
-  // The first corner is the last one of the edge before, the very last the first of all.
-  const std::size_t first = edge == kSouth ? 0 : 1;
-  const std::size_t end = places.size() - (edge == kWest ? 1 : 0);
-  for (std::size_t k = first; k < end; ++k)
-    mobility_.push_back(places[k].mobility);
-  grid_.addStrip(edge, side);
+    vertices.push_back(edgeVertex(edge, each));
+  return vertices;
 }
 
 } // namespace

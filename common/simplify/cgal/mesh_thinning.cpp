@@ -2,6 +2,8 @@
 // Copyright (c) 2026 the qmesh authors
 #include "simplify/cgal/mesh_thinning.h"
 
+#include "simplify/mesh_list.h"
+
 namespace qmesh {
 
 void MeshThinning::run(const HeightTile& tile, const TileFrame& frame, const CurvatureGrid& grid,
@@ -23,24 +25,11 @@ void MeshThinning::load(const HeightTile& tile, const TileFrame& frame, const Co
 }
 
 void MeshThinning::store(CollapseMesh& mesh) {
-  newIndex_.assign(mesh.vertices.size(), 0);
-  std::uint32_t kept = 0;
-  for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
-    if (triangulation_.leaving(std::int32_t(v)) == Triangulation::kNone)
-      continue;
-    newIndex_[v] = kept;
-    mesh.vertices[kept++] = mesh.vertices[v];
-  }
+  listMesh(triangulation_, alive_, mesh.triangles);
+  std::size_t kept = 0;
+  for (const std::int32_t v : alive_)
+    mesh.vertices[kept++] = mesh.vertices[std::size_t(v)];
   mesh.vertices.resize(kept);
-  mesh.triangles.clear();
-  for (std::int32_t t = 0; t < triangulation_.triangleSlots(); ++t) {
-    if (!triangulation_.alive(t))
-      continue;
-    const auto index = [&](int k) {
-      return newIndex_[std::size_t(triangulation_.origin(3 * t + k))];
-    };
-    mesh.triangles.push_back({index(0), index(1), index(2)});
-  }
 }
 
 } // namespace qmesh

@@ -27,7 +27,7 @@ class MeshThinning {
   void store(CollapseMesh& mesh);
 
   std::vector<NodeVertex> vertices_;
-  std::vector<std::uint32_t> newIndex_;
+  std::vector<std::int32_t> alive_;
   Triangulation triangulation_;
   NodeHeights heights_;
   Decimator decimator_;

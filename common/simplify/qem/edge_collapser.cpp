@@ -10,11 +10,6 @@ namespace qmesh {
 
 namespace {
 
-/// Twice the area of the triangle of the origin and two places; below 2^31 within the square.
-template <class Place> std::int32_t cross(const Place& a, const Place& b) {
-  return a.u * b.v - a.v * b.u;
-}
-
 Vec3 crossProduct(const Vec3& a, const Vec3& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
