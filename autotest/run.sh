@@ -107,7 +107,7 @@ build_preset() {
 }
 
 unit_tests() {
-  timeout --kill-after=20 15m ctest --test-dir "$1" --parallel "$cores" --timeout 600 -V
+  timeout --kill-after=20 25m ctest --test-dir "$1" --parallel "$cores" --timeout 1200 -V
 }
 
 bench_programs() {
