@@ -37,4 +37,7 @@ std::string join(const std::vector<std::string>& pieces, std::string_view separa
 /// `text` as a JSON string, with its quotes. Bytes that are not UTF-8 become U+FFFD.
 std::string jsonString(std::string_view text);
 
+/// `text` as it must stand in XML or HTML, in attributes too.
+std::string escapeMarkup(std::string_view text);
+
 } // namespace qmesh

@@ -10,34 +10,8 @@ namespace qmesh {
 
 namespace {
 
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    switch (c) {
-    case '&':
-      out += "&amp;";
-      break;
-    case '<':
-      out += "&lt;";
-      break;
-    case '>':
-      out += "&gt;";
-      break;
-    case '\'':
-      out += "&apos;";
-      break;
-    case '"':
-      out += "&quot;";
-      break;
-    default:
-      out += c;
-    }
-  }
-  return out;
-}
-
 std::string attribute(const char* name, const std::string& value) {
-  return value.empty() ? "" : std::string(" ") + name + "='" + escaped(value) + "'";
+  return value.empty() ? "" : std::string(" ") + name + "='" + escapeMarkup(value) + "'";
 }
 
 bool isSwitch(const OptionRow& row) {
@@ -92,7 +66,7 @@ std::string optionXml(const OptionTable& table, const OptionRow& row) {
     return xml + "/>\n";
   xml += ">\n";
   for (const Choice& choice : row.choices)
-    xml += "    <Value>" + escaped(choice.name) + "</Value>\n";
+    xml += "    <Value>" + escapeMarkup(choice.name) + "</Value>\n";
   return xml + "  </Option>\n";
 }
 

@@ -6,6 +6,7 @@
 #include <system_error>
 #include <utility>
 
+#include "base/text.h"
 #include "preview_texts.h"
 
 namespace qmesh {
@@ -15,33 +16,6 @@ namespace fs = std::filesystem;
 const char kCesiumFolder[] = "Cesium";
 
 namespace {
-
-/// Text as it must stand in HTML, in attributes too.
-std::string escapeHtml(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    switch (c) {
-    case '&':
-      out += "&amp;";
-      break;
-    case '<':
-      out += "&lt;";
-      break;
-    case '>':
-      out += "&gt;";
-      break;
-    case '"':
-      out += "&quot;";
-      break;
-    case '\'':
-      out += "&#39;";
-      break;
-    default:
-      out += c;
-    }
-  }
-  return out;
-}
 
 /// The template with @NAME@ replaced. One pass: a value that contains @NAME@ stays as it is.
 std::string fillIn(const std::string& text,
@@ -92,7 +66,7 @@ std::vector<PreviewFile> previewFiles(const BuildOptions& options) {
     return {};
   const std::string base = options.cesium.empty() ? kCesiumSite : std::string(kCesiumFolder) + "/";
   const std::string page = fillIn(
-      kIndexHtml, {{"@TITLE@", escapeHtml(heading(options))}, {"@CESIUM_BASE@", escapeHtml(base)}});
+      kIndexHtml, {{"@TITLE@", escapeMarkup(heading(options))}, {"@CESIUM_BASE@", escapeMarkup(base)}});
   return {{"index.html", page},
           {"preview.js", kPreviewJs},
           {"look.js", kLookJs},

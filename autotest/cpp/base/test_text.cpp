@@ -83,5 +83,11 @@ TEST(Text, JsonStringsAreAlwaysUtf8) {
   EXPECT_EQ(jsonString("a\x80z"), R"("a\ufffdz")");
 }
 
+TEST(EscapeMarkup, LeavesNothingThatMarkupReads) {
+  EXPECT_EQ(escapeMarkup("a < b & c > \"d\" 'e'"),
+            "a &lt; b &amp; c &gt; &quot;d&quot; &apos;e&apos;");
+  EXPECT_EQ(escapeMarkup("plain \xc3\xa9"), "plain \xc3\xa9");
+}
+
 } // namespace
 } // namespace qmesh
