@@ -65,8 +65,8 @@ std::vector<PreviewFile> previewFiles(const BuildOptions& options) {
   if (options.preview == Preview::none)
     return {};
   const std::string base = options.cesium.empty() ? kCesiumSite : std::string(kCesiumFolder) + "/";
-  const std::string page = fillIn(
-      kIndexHtml, {{"@TITLE@", escapeMarkup(heading(options))}, {"@CESIUM_BASE@", escapeMarkup(base)}});
+  const std::string page = fillIn(kIndexHtml, {{"@TITLE@", escapeMarkup(heading(options))},
+                                               {"@CESIUM_BASE@", escapeMarkup(base)}});
   return {{"index.html", page},
           {"preview.js", kPreviewJs},
           {"look.js", kLookJs},
