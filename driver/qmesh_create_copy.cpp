@@ -7,11 +7,11 @@
 #include <cpl_conv.h>
 #include <cpl_string.h>
 
-#include "build/report.h"
-#include "build/tileset_builder.h"
-#include "gdalio/make_terrain.h"
-#include "gdalio/set_files.h"
-#include "gdalio/vsi_files.h"
+#include "pyramid/report.h"
+#include "pyramid/tileset_builder.h"
+#include "run/make_terrain.h"
+#include "sink/set_files.h"
+#include "vsi/vsi_files.h"
 #include "options/creation_options.h"
 #include "options/validate.h"
 #include "qmesh_errors.h"

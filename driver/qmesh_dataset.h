@@ -9,8 +9,8 @@
 #include <gdal_priv.h>
 #include <ogr_spatialref.h>
 
-#include "gdalio/terrain_raster.h"
-#include "gdalio/tile_cache.h"
+#include "tileset/terrain_raster.h"
+#include "tileset/tile_cache.h"
 #include "qmesh_open_options.h"
 #include "qmesh_versions.h"
 

@@ -5,7 +5,7 @@
 #include <cpl_conv.h>
 #include <cpl_vsi.h>
 
-#include "gdalio/set_files.h"
+#include "sink/set_files.h"
 #include "qmesh_errors.h"
 #include "qmesh_identify.h"
 

@@ -6,7 +6,7 @@
 
 #include <cpl_error.h>
 
-/// GDALDriver::pfnDelete: removes the files of a set that are its own (see gdalio/set_files.h), or
+/// GDALDriver::pfnDelete: removes the files of a set that are its own (see sink/set_files.h), or
 /// one tile. Nothing is removed where the name is no dataset of this driver.
 CPLErr QMESHDelete(const char *pszName);
 

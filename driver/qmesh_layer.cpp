@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gdalio/terrain_raster.h"
+#include "tileset/terrain_raster.h"
 #include "qmesh_errors.h"
 
 using qmesh::Result;

@@ -8,7 +8,7 @@
 
 #include <ogrsf_frmts.h>
 
-#include "gdalio/tile_cache.h"
+#include "tileset/tile_cache.h"
 #include "qmesh_open_options.h"
 #include "qmesh_versions.h"
 

@@ -8,7 +8,7 @@
 #include <gdal_priv.h>
 
 #include "base/status.h"
-#include "gdalio/terrain_raster.h"
+#include "tileset/terrain_raster.h"
 
 /// What the layer "triangles" is made of.
 enum class QMESHGeometry

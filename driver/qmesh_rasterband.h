@@ -7,7 +7,7 @@
 
 #include <gdal_priv.h>
 
-#include "gdalio/terrain_raster.h"
+#include "tileset/terrain_raster.h"
 #include "qmesh_dataset.h"
 
 /// Heights of a level; the dataset's own level has the coarser ones as overviews.

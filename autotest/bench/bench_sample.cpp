@@ -16,7 +16,7 @@
 #include <ogr_spatialref.h>
 
 #include "base/enum_table.h"
-#include "gdalio/raster_source.h"
+#include "source/raster_source.h"
 
 namespace qmesh {
 namespace {

@@ -41,7 +41,7 @@ check version.cpp
 cd "$root"
 count=0
 failed=0
-for file in driver/*.cpp common/gdalio/*.cpp; do
+for file in driver/*.cpp common/vsi/*.cpp common/source/*.cpp common/sink/*.cpp common/tileset/*.cpp; do
   check "$file" || failed=1
   count=$((count + 1))
 done

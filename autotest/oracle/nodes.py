@@ -26,7 +26,7 @@ gdal.UseExceptions()
 osr.UseExceptions()
 
 _CONTROL = 8  # nodes between two exact transformations
-ALLOWANCE = 1.0 / 1024.0  # pixels: see autotest/cpp/gdalio/test_node_positions.cpp
+ALLOWANCE = 1.0 / 1024.0  # pixels: see autotest/cpp/source/test_node_positions.cpp
 
 
 @dataclass

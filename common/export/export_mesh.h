@@ -4,9 +4,11 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
+#include "base/status.h"
 #include "geo/vec3.h"
 #include "tiling/scheme.h"
 
@@ -27,5 +29,8 @@ struct ExportMesh {
   std::vector<std::array<std::uint32_t, 3>> triangles; ///< REQUIRES: indices of vertices
   std::vector<Vec3> normals;                           ///< earth-fixed, unit; empty or one a vertex
 };
+
+/// Takes the mesh of a tile as it is encoded, for other programs; many threads call at once.
+using MeshTaker = std::function<Status(TileId, const ExportMesh&)>;
 
 } // namespace qmesh

@@ -22,7 +22,7 @@ struct RgbImage {
 };
 
 /// The same drawing as svgText(), in pixels; smooth lines (each pixel is the mean of 3 x 3).
-/// gdalio/png_file.h writes it as a PNG file.
+/// vsi/png_file.h writes it as a PNG file.
 RgbImage paintMesh(const ExportMesh& mesh, const MeshDrawing& drawing);
 
 } // namespace qmesh

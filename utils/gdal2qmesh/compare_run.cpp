@@ -4,11 +4,11 @@
 
 #include <cstdio>
 
-#include "build/compare.h"
+#include "compare/compare.h"
 #include "console/interrupt.h"
-#include "gdalio/make_terrain.h"
-#include "gdalio/png_file.h"
-#include "gdalio/vsi_files.h"
+#include "run/make_terrain.h"
+#include "vsi/png_file.h"
+#include "vsi/vsi_files.h"
 
 namespace qmesh {
 

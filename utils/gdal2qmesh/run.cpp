@@ -8,12 +8,12 @@
 #include <cpl_vsi.h>
 #include <gdal.h>
 
-#include "build/estimate.h"
-#include "build/tileset_builder.h"
+#include "pyramid/estimate.h"
+#include "pyramid/tileset_builder.h"
 #include "compare_run.h"
 #include "console/interrupt.h"
-#include "gdalio/make_terrain.h"
-#include "gdalio/mesh_files.h"
+#include "run/make_terrain.h"
+#include "sink/mesh_files.h"
 #include "preview.h"
 #include "summary.h"
 

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "build/block_plan.h"
-#include "build/estimate.h"
-#include "build/report.h"
+#include "pyramid/block_plan.h"
+#include "pyramid/estimate.h"
+#include "pyramid/report.h"
 
 /// What the command tells of a run, in words.
 namespace qmesh {

@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "dem_measure.h"
-#include "finding_book.h"
+#include "validate/dem_measure.h"
+#include "validate/finding_book.h"
 #include "one_tile.h"
 #include "places.h"
-#include "survey.h"
+#include "validate/survey.h"
 
 namespace qmesh {
 

@@ -7,10 +7,10 @@
 #include "base/text.h"
 #include "export/mesh_painter.h"
 #include "export/mesh_writers.h"
-#include "gdalio/png_file.h"
-#include "gdalio/vsi_files.h"
+#include "vsi/png_file.h"
+#include "vsi/vsi_files.h"
 #include "geo/octahedral.h"
-#include "open_set.h"
+#include "validate/open_set.h"
 #include "surface/surface_raster.h"
 
 namespace qmesh {

@@ -5,8 +5,8 @@
 #include <iostream>
 
 #include "base/text.h"
-#include "options/info_options.h"
-#include "surface_cache.h"
+#include "qmeshinfo/info_options.h"
+#include "tileset/surface_cache.h"
 
 namespace qmesh {
 

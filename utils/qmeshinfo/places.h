@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "gdalio/terrain_set.h"
+#include "tileset/terrain_set.h"
 
 namespace qmesh {
 

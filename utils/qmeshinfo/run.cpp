@@ -108,8 +108,9 @@ class InfoRun {
 
   Status measure() {
     std::vector<std::string> warnings;
-    Result<DemReport> dem = measureAgainstDem(set_, {firstZoom_, lastZoom_, threadsOf(options_)},
-                                              options_, warnings, progress());
+    const MeasurePlan plan{firstZoom_, lastZoom_, threadsOf(options_), options_.demStep,
+                           options_.errorRaster};
+    Result<DemReport> dem = measureAgainstDem(set_, plan, options_, warnings, progress());
     for (const std::string& warning : warnings)
       console_.warning(warning);
     if (!dem.ok())

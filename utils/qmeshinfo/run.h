@@ -5,7 +5,7 @@
 #include <string>
 
 #include "console/console.h"
-#include "options/info_options.h"
+#include "qmeshinfo/info_options.h"
 
 namespace qmesh {
 

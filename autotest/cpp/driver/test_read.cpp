@@ -14,8 +14,8 @@
 #include "codec/encode.h"
 #include "codec/gzip.h"
 #include "codec/layer_json.h"
-#include "gdalio/quiet_errors.h"
-#include "gdalio/vsi_files.h"
+#include "vsi/quiet_errors.h"
+#include "vsi/vsi_files.h"
 #include "qmesh_driver.h"
 
 namespace qmesh {

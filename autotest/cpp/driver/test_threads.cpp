@@ -7,7 +7,7 @@
 #include <thread>
 
 #include "driver_fixture.h"
-#include "gdalio/dataset_access.h"
+#include "source/dataset_access.h"
 
 namespace qmesh {
 namespace {

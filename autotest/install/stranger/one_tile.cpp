@@ -7,8 +7,8 @@
 #include <cstdio>
 #include <vector>
 
-#include <qmesh/build/tile_job.h>
-#include <qmesh/gdalio/vsi_files.h>
+#include <qmesh/pyramid/tile_job.h>
+#include <qmesh/vsi/vsi_files.h>
 
 int main(int argc, char** argv) {
   if (argc != 2) {

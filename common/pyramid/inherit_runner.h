@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the qmesh authors
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "pyramid/edge_store.h"
+#include "pyramid/stage_runner.h"
+#include "pyramid/tile_queue.h"
+
+namespace qmesh {
+
+/// --border inherit: an upward pass makes the nodes of every level; then, level by level from the
+/// coarsest, threads mesh tile after tile in an order that gives what the schedule's order one by
+/// one gives.
+class InheritRunner {
+ public:
+  InheritRunner(BuildShared& shared, const BlockPlan& blocks, WorkTeam& team, StageRunner& stages)
+      : shared_(shared), blocks_(blocks), team_(team), stages_(stages) {}
+
+  Status run();
+
+ private:
+  class Worker;
+  struct Level;
+
+  Status runLevel(int zoom);
+  Status fillOthers(Level& level, int zoom);
+  Status runTeam(std::size_t tiles, const std::function<Status()>& work);
+  Status work(Level& level);
+
+  BuildShared& shared_;
+  const BlockPlan& blocks_;
+  WorkTeam& team_;
+  StageRunner& stages_;
+  std::uint64_t total_ = 0;                    ///< tiles that will be written
+  std::vector<StageRunner::StorePointer> raw_; ///< by zoom
+  StageRunner::StorePointer coarser_, filled_; ///< without voids (VoidFill::interpolate)
+};
+
+} // namespace qmesh

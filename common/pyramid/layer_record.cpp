@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the qmesh authors
+#include "pyramid/layer_record.h"
+
+#include <cstdio>
+
+namespace qmesh {
+
+namespace {
+
+std::string versionOf(std::uint64_t contentHash) {
+  char text[32];
+  std::snprintf(text, sizeof text, "1.0.0-%016llx", static_cast<unsigned long long>(contentHash));
+  return text;
+}
+
+/// Bounds in -180..180: the whole round where the data crosses the antimeridian, because readers
+/// of bounds take west for the lesser number.
+GeoBox simpleBounds(const GeoBox& box) {
+  const bool crosses = box.east > 180 || box.east - box.west >= 360;
+  return {crosses ? -180 : box.west, box.south, crosses ? 180 : box.east, box.north};
+}
+
+std::string baseName(const std::string& path) {
+  const std::size_t slash = path.find_last_of('/');
+  const std::string file = slash == std::string::npos ? path : path.substr(slash + 1);
+  const std::size_t dot = file.find_last_of('.');
+  return dot == std::string::npos || dot == 0 ? file : file.substr(0, dot);
+}
+
+} // namespace
+
+LayerJson layerRecord(const BuildOptions& options, const PyramidPlan& plan,
+                      const Availability& written, const BuildReport& report) {
+  LayerJson layer;
+  layer.name = options.title.empty() ? baseName(options.input) : options.title;
+  layer.version = versionOf(report.contentHash);
+  layer.attribution = options.copyright;
+  layer.profile = plan.scheme.profile();
+  layer.slippyMap = options.xyz;
+  layer.bounds = simpleBounds(plan.bounds);
+  layer.minZoom = plan.minZoom;
+  layer.maxZoom = written.maxZoom();
+  for (int z = 0; z <= layer.maxZoom; ++z)
+    layer.available.push_back(written.ranges(z));
+  if (options.normals)
+    layer.extensions.push_back("octvertexnormals");
+  if (options.metadata > 0)
+    layer.extensions.push_back("metadata");
+  layer.metadataAvailability = options.metadata;
+  layer.generator = "gdal2qmesh " QMESH_VERSION;
+  layer.method = options.method;
+  layer.cellsPerTile = plan.cells;
+  layer.extent = plan.bounds;
+  for (int z = plan.minZoom; z <= plan.maxZoom; ++z) {
+    const std::size_t k = std::size_t(z);
+    layer.levels.push_back({z, report.maxErrors[k], report.levels[k].maxError});
+  }
+  return layer;
+}
+
+} // namespace qmesh

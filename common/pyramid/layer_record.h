@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the qmesh authors
+#pragma once
+
+#include "pyramid/pyramid_plan.h"
+#include "pyramid/report.h"
+#include "codec/layer_json.h"
+
+namespace qmesh {
+
+/// layer.json of a finished run. Its version is made from the tiles' content, so that a browser's
+/// cache is passed by exactly when something changed.
+LayerJson layerRecord(const BuildOptions& options, const PyramidPlan& plan,
+                      const Availability& written, const BuildReport& report);
+
+} // namespace qmesh

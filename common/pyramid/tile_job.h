@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 the qmesh authors
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/status.h"
+#include "pyramid/report.h"
+#include "codec/gzip.h"
+#include "codec/tile_mesh.h"
+#include "export/export_mesh.h"
+#include "options/build_options.h"
+#include "simplify/simplifier.h"
+
+namespace qmesh {
+
+/// One tile's file and what is to be told of it.
+struct TileResult {
+  std::vector<std::uint8_t> bytes; ///< as stored, compressed or not
+  std::uint64_t fingerprint = 0;   ///< of the tile's name and uncompressed bytes
+  LevelStats stats;
+};
+
+/// Makes tiles for one thread: height tile -> border -> TIN -> header -> bytes. The result is a
+/// pure function of the height tile with its halo, the level and the options.
+class TileJob {
+ public:
+  explicit TileJob(const BuildOptions& options);
+
+  /// `metadata` is the JSON of the metadata extension, empty for none. Adds to `seconds`.
+  Status run(const HeightTile& tile, const LevelParams& level, const std::string& metadata,
+             TileResult& result, StepSeconds& seconds);
+
+  /// The same under --border inherit. `border`: in, the edges that neighbours have built, the
+  /// others free; out, the edges of this tile (pyramid/inherited_border.h). The result depends on
+  /// them, too.
+  Status run(const HeightTile& tile, const LevelParams& level, const std::string& metadata,
+             Border& border, TileResult& result, StepSeconds& seconds);
+
+  /// The last tile made, for other programs. REQUIRES: `tile` is that tile.
+  ExportMesh exportMesh(const HeightTile& tile) const;
+
+ private:
+  Status simplifyAndEncode(const HeightTile& tile, const LevelParams& level,
+                           const std::string& metadata, TileResult& result, StepSeconds& seconds);
+  void assemble(const HeightTile& tile, const std::string& metadata);
+  void fillHeader(const GeoBox& box);
+
+  std::unique_ptr<Simplifier> simplifier_;
+  bool normals_;
+  bool compress_;
+  GzipCompressor gzip_;
+  TileFrame frame_;
+  Border border_;
+  Tin tin_;
+  TileMesh mesh_;
+  std::vector<Vec3> positions_;
+};
+
+} // namespace qmesh
