@@ -7,16 +7,16 @@
 #include <cpl_conv.h>
 #include <cpl_string.h>
 
-#include "pyramid/report.h"
-#include "pyramid/tileset_builder.h"
-#include "run/make_terrain.h"
-#include "sink/set_files.h"
-#include "vsi/vsi_files.h"
 #include "options/creation_options.h"
 #include "options/validate.h"
+#include "pyramid/report.h"
+#include "pyramid/tileset_builder.h"
 #include "qmesh_errors.h"
 #include "qmesh_files.h"
 #include "qmesh_identify.h"
+#include "run/make_terrain.h"
+#include "sink/set_files.h"
+#include "vsi/vsi_files.h"
 
 namespace
 {

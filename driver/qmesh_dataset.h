@@ -9,10 +9,10 @@
 #include <gdal_priv.h>
 #include <ogr_spatialref.h>
 
-#include "tileset/terrain_raster.h"
-#include "tileset/tile_cache.h"
 #include "qmesh_open_options.h"
 #include "qmesh_versions.h"
+#include "tileset/terrain_raster.h"
+#include "tileset/tile_cache.h"
 
 // qmesh_driver.cpp registers the driver, qmesh_identify.cpp knows our names, qmesh_create_copy.cpp
 // writes, qmesh_files.cpp deletes, renames and copies; qmesh_dataset.cpp and its neighbours read.

@@ -5,9 +5,9 @@
 #include <cpl_conv.h>
 #include <cpl_vsi.h>
 
-#include "sink/set_files.h"
 #include "qmesh_errors.h"
 #include "qmesh_identify.h"
+#include "sink/set_files.h"
 
 namespace
 {

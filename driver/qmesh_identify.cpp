@@ -10,9 +10,9 @@
 #include <cpl_string.h>
 #include <cpl_vsi.h>
 
-#include "vsi/quiet_errors.h"
 #include "sink/set_files.h"
 #include "tileset/tile_address.h"
+#include "vsi/quiet_errors.h"
 
 namespace
 {

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tileset/terrain_raster.h"
 #include "qmesh_errors.h"
+#include "tileset/terrain_raster.h"
 
 using qmesh::Result;
 using qmesh::Scheme;

@@ -8,9 +8,9 @@
 
 #include <ogrsf_frmts.h>
 
-#include "tileset/tile_cache.h"
 #include "qmesh_open_options.h"
 #include "qmesh_versions.h"
+#include "tileset/tile_cache.h"
 
 /// Goes over the listed tiles of a level that meet a box, without looking at the others.
 class QMESHTileCursor

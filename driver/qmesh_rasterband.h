@@ -7,8 +7,8 @@
 
 #include <gdal_priv.h>
 
-#include "tileset/terrain_raster.h"
 #include "qmesh_dataset.h"
+#include "tileset/terrain_raster.h"
 
 /// Heights of a level; the dataset's own level has the coarser ones as overviews.
 class QMESHRasterBand final : public GDALRasterBand

@@ -15,13 +15,12 @@ namespace qmesh {
 /// which high-water-mark encoding needs. `octNormals` move with their vertices. Edge lists are
 /// sorted the way CesiumJS wants them (west by v ascending, south by u descending, east by v
 /// descending, north by u ascending). Every triangle keeps its orientation.
-/// The walk begins at the border half-edge of the south-west corner and at each triangle tries first
-/// the edge after the one it came in by; a triangle's corners are written from that edge on. So the
-/// result depends on the mesh alone, not on how its triangles and vertices were numbered. (Of the
-/// start corners, directions and rotations tried this makes the smallest gzip: 6,659 bytes at 2,000
-/// triangles, the others 6,671 to 7,421, breadth-first 8,600 and more.)
-/// Takes O(vertices + triangles) time and memory.
-/// REQUIRES: a manifold mesh, every vertex used.
+/// The walk begins at the border half-edge of the south-west corner and at each triangle tries
+/// first the edge after the one it came in by; a triangle's corners are written from that edge on.
+/// So the result depends on the mesh alone, not on how its triangles and vertices were numbered.
+/// (Of the start corners, directions and rotations tried this makes the smallest gzip: 6,659 bytes
+/// at 2,000 triangles, the others 6,671 to 7,421, breadth-first 8,600 and more.) Takes O(vertices +
+/// triangles) time and memory. REQUIRES: a manifold mesh, every vertex used.
 void orderForEncoding(TileMesh& mesh);
 
 /// The bytes of a .terrain file (not compressed): quantized-mesh-1.0, indices 16 bit up to 65535
@@ -29,4 +28,4 @@ void orderForEncoding(TileMesh& mesh);
 /// whose vertices are not in order of first use.
 Result<std::vector<std::uint8_t>> encodeTile(const TileMesh& mesh);
 
-}  // namespace qmesh
+} // namespace qmesh

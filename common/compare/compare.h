@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "base/progress.h"
-#include "pyramid/pyramid_plan.h"
 #include "mesh/tin_quality.h"
+#include "pyramid/pyramid_plan.h"
 
 namespace qmesh {
 

@@ -6,9 +6,9 @@
 #include <ctime>
 
 #include "base/text.h"
-#include "pyramid/tile_job.h"
 #include "options/level_spec.h"
 #include "options/method_rows.h"
+#include "pyramid/tile_job.h"
 
 namespace qmesh {
 

@@ -26,4 +26,4 @@ Sphere boundingSphere(const std::vector<Vec3>& points);
 /// never below the horizon; never NaN or infinite.
 Vec3 horizonOcclusionPoint(const Vec3& direction, const std::vector<Vec3>& points);
 
-}  // namespace qmesh
+} // namespace qmesh

@@ -6,8 +6,8 @@
 
 namespace qmesh::wgs84 {
 
-inline constexpr double kSemiMajor = 6378137.0;             ///< metres
-inline constexpr double kSemiMinor = 6356752.3142451793;    ///< metres, as in CesiumJS
+inline constexpr double kSemiMajor = 6378137.0;          ///< metres
+inline constexpr double kSemiMinor = 6356752.3142451793; ///< metres, as in CesiumJS
 inline constexpr double kPi = 3.14159265358979323846;
 inline constexpr double kRadiansPerDegree = kPi / 180.0;
 
@@ -38,4 +38,4 @@ double metresPerDegreeNorth(double latDegrees);
 /// Turns a direction given in the local east-north-up frame at a position into ECEF.
 Vec3 enuToEcef(double lonDegrees, double latDegrees, double east, double north, double up);
 
-}  // namespace qmesh::wgs84
+} // namespace qmesh::wgs84

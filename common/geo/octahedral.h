@@ -16,4 +16,4 @@ std::array<std::uint8_t, 2> octEncode(const Vec3& unit);
 /// The inverse, unit length.
 Vec3 octDecode(std::array<std::uint8_t, 2> encoded);
 
-}  // namespace qmesh
+} // namespace qmesh

@@ -17,8 +17,14 @@ struct Vec3 {
   Vec3 operator*(double s) const { return {x * s, y * s, z * s}; }
 };
 
-inline double dot(const Vec3& a, const Vec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-inline double length(const Vec3& a) { return std::sqrt(dot(a, a)); }
-inline Vec3 normalized(const Vec3& a) { return a * (1 / length(a)); }
+inline double dot(const Vec3& a, const Vec3& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+inline double length(const Vec3& a) {
+  return std::sqrt(dot(a, a));
+}
+inline Vec3 normalized(const Vec3& a) {
+  return a * (1 / length(a));
+}
 
-}  // namespace qmesh
+} // namespace qmesh

@@ -331,8 +331,9 @@ Rows informationRows() {
 
 std::vector<OptionRow> optionRows(const std::vector<Choice>& methods) {
   Rows all;
-  for (const Rows& rows : {argumentRows(), inputRows(), heightRows(), pyramidRows(), nodeRows(),
-                           methodRows(methods), meshRows(), outputRows(), runningRows(), informationRows()})
+  for (const Rows& rows :
+       {argumentRows(), inputRows(), heightRows(), pyramidRows(), nodeRows(), methodRows(methods),
+        meshRows(), outputRows(), runningRows(), informationRows()})
     all.insert(all.end(), rows.begin(), rows.end());
   return all;
 }

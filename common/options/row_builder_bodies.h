@@ -7,8 +7,8 @@
 #include "options/level_spec.h"
 #include "options/row_builder.h"
 
-// The bodies of BasicRowBuilder: for the file that defines the rows of a program, which instantiates it
-// for that program's options.
+// The bodies of BasicRowBuilder: for the file that defines the rows of a program, which
+// instantiates it for that program's options.
 
 namespace qmesh {
 

@@ -2,9 +2,9 @@
 // Copyright (c) 2026 the qmesh authors
 #pragma once
 
+#include "codec/layer_json.h"
 #include "pyramid/pyramid_plan.h"
 #include "pyramid/report.h"
-#include "codec/layer_json.h"
 
 namespace qmesh {
 

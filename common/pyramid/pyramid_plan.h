@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "base/status.h"
-#include "source/node_source.h"
 #include "export/export_mesh.h"
 #include "mesh/level_params.h"
 #include "options/build_options.h"
+#include "source/node_source.h"
 #include "tiling/availability.h"
 
 namespace qmesh {

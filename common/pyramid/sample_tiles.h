@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "pyramid/pyramid_plan.h"
 #include "grid/node_window.h"
+#include "pyramid/pyramid_plan.h"
 
 namespace qmesh {
 

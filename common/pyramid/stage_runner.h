@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "pyramid/block_job.h"
 #include "base/work_team.h"
+#include "pyramid/block_job.h"
 
 namespace qmesh {
 

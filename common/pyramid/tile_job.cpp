@@ -6,12 +6,12 @@
 
 #include "base/hash.h"
 #include "base/stopwatch.h"
-#include "pyramid/inherited_border.h"
 #include "codec/encode.h"
 #include "geo/bounding.h"
 #include "geo/ellipsoid.h"
 #include "geo/octahedral.h"
 #include "mesh/normals.h"
+#include "pyramid/inherited_border.h"
 
 namespace qmesh {
 

@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "base/status.h"
-#include "pyramid/report.h"
 #include "codec/gzip.h"
 #include "codec/tile_mesh.h"
 #include "export/export_mesh.h"
 #include "options/build_options.h"
+#include "pyramid/report.h"
 #include "simplify/simplifier.h"
 
 namespace qmesh {

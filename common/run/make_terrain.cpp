@@ -6,8 +6,8 @@
 #include <thread>
 
 #include "sink/directory_sink.h"
-#include "source/raster_source.h"
 #include "sink/zip_sink.h"
+#include "source/raster_source.h"
 
 namespace qmesh {
 namespace {

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "base/status.h"
+#include "options/build_options.h"
 #include "pyramid/block_plan.h"
 #include "sink/tile_sink.h"
-#include "options/build_options.h"
 
 class GDALDataset;
 

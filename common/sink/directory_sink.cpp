@@ -6,10 +6,10 @@
 
 #include <cpl_vsi.h>
 
-#include "vsi/folder_lock.h"
-#include "vsi/quiet_errors.h"
 #include "sink/set_files.h"
 #include "sink/set_swap.h"
+#include "vsi/folder_lock.h"
+#include "vsi/quiet_errors.h"
 #include "vsi/vsi_files.h"
 
 namespace qmesh {

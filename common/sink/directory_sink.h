@@ -5,8 +5,8 @@
 #include <memory>
 
 #include "base/status.h"
-#include "sink/tile_sink.h"
 #include "options/build_options.h"
+#include "sink/tile_sink.h"
 
 namespace qmesh {
 

@@ -11,9 +11,9 @@
 #include <cpl_vsi.h>
 
 #include "base/text.h"
+#include "sink/set_swap.h"
 #include "vsi/folder_lock.h"
 #include "vsi/quiet_errors.h"
-#include "sink/set_swap.h"
 #include "vsi/vsi_files.h"
 
 namespace qmesh {

@@ -8,10 +8,10 @@
 #include <cpl_vsi.h>
 
 #include "base/text.h"
-#include "vsi/quiet_errors.h"
 #include "sink/set_files.h"
-#include "vsi/vsi_files.h"
 #include "tiling/scheme.h"
+#include "vsi/quiet_errors.h"
+#include "vsi/vsi_files.h"
 
 namespace qmesh {
 namespace {

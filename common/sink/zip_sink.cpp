@@ -11,9 +11,9 @@
 
 #include "base/text.h"
 #include "codec/gzip.h"
+#include "sink/set_files.h"
 #include "vsi/folder_lock.h"
 #include "vsi/quiet_errors.h"
-#include "sink/set_files.h"
 #include "vsi/vsi_files.h"
 #include "vsi/vsi_read.h"
 

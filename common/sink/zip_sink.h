@@ -6,8 +6,8 @@
 #include <string>
 
 #include "base/status.h"
-#include "sink/tile_sink.h"
 #include "options/build_options.h"
+#include "sink/tile_sink.h"
 
 namespace qmesh {
 

@@ -7,9 +7,9 @@
 #include <ogr_spatialref.h>
 
 #include "base/status.h"
+#include "options/build_options.h"
 #include "source/pixel_frame.h"
 #include "source/region.h"
-#include "options/build_options.h"
 
 namespace qmesh {
 

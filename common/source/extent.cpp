@@ -6,9 +6,9 @@
 #include <cmath>
 #include <optional>
 
+#include "geo/ellipsoid.h"
 #include "source/crs.h"
 #include "vsi/quiet_errors.h"
-#include "geo/ellipsoid.h"
 
 namespace qmesh {
 namespace {

@@ -9,11 +9,11 @@
 #include <ogr_spatialref.h>
 
 #include "base/status.h"
+#include "options/build_options.h"
 #include "source/coverage.h"
 #include "source/dataset_access.h"
 #include "source/pixel_frame.h"
 #include "source/pixel_values.h"
-#include "options/build_options.h"
 
 namespace qmesh {
 

@@ -6,9 +6,9 @@
 #include <optional>
 #include <vector>
 
-#include "source/node_source.h"
 #include "source/interpolator.h"
 #include "source/node_positions.h"
+#include "source/node_source.h"
 #include "source/raster_input.h"
 #include "source/region.h"
 

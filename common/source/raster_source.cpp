@@ -6,8 +6,8 @@
 
 #include "source/cutline.h"
 #include "source/extent.h"
-#include "vsi/quiet_errors.h"
 #include "source/raster_sampler.h"
+#include "vsi/quiet_errors.h"
 
 namespace qmesh {
 namespace {

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "base/status.h"
-#include "source/node_source.h"
 #include "options/build_options.h"
+#include "source/node_source.h"
 
 class GDALDataset;
 

@@ -6,9 +6,9 @@
 #include <optional>
 
 #include "base/lru_cache.h"
+#include "surface/surface_search.h"
 #include "tileset/terrain_set.h"
 #include "tileset/tile_cache.h"
-#include "surface/surface_search.h"
 
 namespace qmesh {
 

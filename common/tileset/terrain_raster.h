@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "base/lru_cache.h"
-#include "tileset/tile_cache.h"
 #include "surface/surface_raster.h"
+#include "tileset/tile_cache.h"
 
 namespace qmesh {
 

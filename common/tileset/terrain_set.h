@@ -12,8 +12,8 @@
 #include "codec/layer_json.h"
 #include "codec/tile_mesh.h"
 #include "tileset/tile_address.h"
-#include "vsi/vsi_read.h"
 #include "tiling/listed_tiles.h"
+#include "vsi/vsi_read.h"
 
 namespace qmesh {
 

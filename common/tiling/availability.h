@@ -53,10 +53,10 @@ class Availability {
     std::uint32_t first;
     std::uint32_t last;
   };
-  using Row = std::vector<Run>;  ///< sorted, disjoint, not touching
+  using Row = std::vector<Run>; ///< sorted, disjoint, not touching
   using NumberedRow = std::pair<std::uint32_t, Row>;
   struct Level {
-    std::vector<NumberedRow> rows;  ///< sorted by y
+    std::vector<NumberedRow> rows; ///< sorted by y
   };
   static bool isBelow(const NumberedRow& row, std::uint32_t y);
   static bool endsBefore(const Run& run, std::uint32_t x);
@@ -68,4 +68,4 @@ class Availability {
   std::vector<Level> levels_;
 };
 
-}  // namespace qmesh
+} // namespace qmesh

@@ -53,4 +53,4 @@ class NodeLattice {
   int cells_;
 };
 
-}  // namespace qmesh
+} // namespace qmesh

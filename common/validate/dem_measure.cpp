@@ -8,11 +8,11 @@
 #include <memory>
 #include <optional>
 
-#include "validate/error_raster.h"
+#include "base/in_order.h"
 #include "source/crs.h"
 #include "source/pixel_reader.h"
-#include "base/in_order.h"
 #include "tileset/surface_cache.h"
+#include "validate/error_raster.h"
 
 namespace qmesh {
 

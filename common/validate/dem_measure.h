@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "base/progress.h"
-#include "tileset/terrain_set.h"
 #include "options/build_options.h"
+#include "tileset/terrain_set.h"
 
 namespace qmesh {
 

@@ -4,8 +4,8 @@
 
 #include "codec/gzip.h"
 #include "tileset/tile_address.h"
-#include "vsi/vsi_read.h"
 #include "validate/set_checks.h"
+#include "vsi/vsi_read.h"
 
 namespace qmesh {
 

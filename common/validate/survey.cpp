@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "base/in_order.h"
-#include "validate/seam_walk.h"
 #include "surface/surface_raster.h"
+#include "validate/seam_walk.h"
 #include "validate/set_checks.h"
 
 namespace qmesh {

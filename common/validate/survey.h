@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "base/progress.h"
-#include "validate/finding_book.h"
 #include "tileset/terrain_set.h"
+#include "validate/finding_book.h"
 #include "validate/open_set.h"
 #include "validate/seam_checks.h"
 

@@ -14,7 +14,8 @@ Status writePng(const std::string& path, const RgbImage& image) {
   GDALDriver* memory = GetGDALDriverManager()->GetDriverByName("MEM");
   if (!png || !memory)
     return {Code::output, "'" + path + "' cannot be written: this GDAL has no PNG driver"};
-  const GDALDatasetUniquePtr picture(memory->Create("", image.width, image.height, 3, GDT_Byte, nullptr));
+  const GDALDatasetUniquePtr picture(
+      memory->Create("", image.width, image.height, 3, GDT_Byte, nullptr));
   if (!picture)
     return {Code::output, errors.explain("'" + path + "' cannot be written")};
   RgbImage pixels = image; // GDAL takes what it writes as not constant

@@ -31,8 +31,7 @@ std::string sparingPath(const std::string& path) {
   if (path.rfind(kCurl, 0) != 0)
     return path;
   char* url = CPLEscapeString(path.c_str() + sizeof kCurl - 1, -1, CPLES_URL);
-  std::string sparing =
-      std::string("/vsicurl?use_head=no&list_dir=no&empty_dir=yes&url=") + url;
+  std::string sparing = std::string("/vsicurl?use_head=no&list_dir=no&empty_dir=yes&url=") + url;
   CPLFree(url);
   return sparing;
 }

@@ -8,13 +8,13 @@
 #include <cpl_vsi.h>
 #include <gdal.h>
 
-#include "pyramid/estimate.h"
-#include "pyramid/tileset_builder.h"
 #include "compare_run.h"
 #include "console/interrupt.h"
+#include "preview.h"
+#include "pyramid/estimate.h"
+#include "pyramid/tileset_builder.h"
 #include "run/make_terrain.h"
 #include "sink/mesh_files.h"
-#include "preview.h"
 #include "summary.h"
 
 namespace qmesh {

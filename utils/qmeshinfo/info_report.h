@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "validate/dem_measure.h"
-#include "validate/finding_book.h"
 #include "one_tile.h"
 #include "places.h"
+#include "validate/dem_measure.h"
+#include "validate/finding_book.h"
 #include "validate/survey.h"
 
 namespace qmesh {

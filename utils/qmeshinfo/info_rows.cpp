@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the qmesh authors
-#include "qmeshinfo/info_options.h"
 #include "options/option_rows.h"
 #include "options/row_builder_bodies.h"
 #include "options/value_grammars.h"
+#include "qmeshinfo/info_options.h"
 
 namespace qmesh {
 

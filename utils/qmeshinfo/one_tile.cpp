@@ -7,11 +7,11 @@
 #include "base/text.h"
 #include "export/mesh_painter.h"
 #include "export/mesh_writers.h"
+#include "geo/octahedral.h"
+#include "surface/surface_raster.h"
+#include "validate/open_set.h"
 #include "vsi/png_file.h"
 #include "vsi/vsi_files.h"
-#include "geo/octahedral.h"
-#include "validate/open_set.h"
-#include "surface/surface_raster.h"
 
 namespace qmesh {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "tileset/terrain_set.h"
 #include "qmeshinfo/info_options.h"
+#include "tileset/terrain_set.h"
 #include "validate/tile_bytes.h"
 
 namespace qmesh {

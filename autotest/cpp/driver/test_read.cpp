@@ -14,9 +14,9 @@
 #include "codec/encode.h"
 #include "codec/gzip.h"
 #include "codec/layer_json.h"
+#include "qmesh_driver.h"
 #include "vsi/quiet_errors.h"
 #include "vsi/vsi_files.h"
-#include "qmesh_driver.h"
 
 namespace qmesh {
 namespace {

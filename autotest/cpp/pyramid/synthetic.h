@@ -11,9 +11,9 @@
 #include <mutex>
 #include <unistd.h>
 
-#include "pyramid/tileset_builder.h"
 #include "codec/decode.h"
 #include "codec/gzip.h"
+#include "pyramid/tileset_builder.h"
 
 namespace qmesh::synthetic {
 

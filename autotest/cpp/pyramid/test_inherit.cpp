@@ -4,10 +4,10 @@
 // --border inherit: what a schedule's order one by one gives, however the work is cut.
 #include <algorithm>
 
+#include "grid/void_fill.h"
 #include "pyramid/inherited_border.h"
 #include "pyramid/schedule.h"
 #include "pyramid/tile_job.h"
-#include "grid/void_fill.h"
 #include "synthetic.h"
 
 namespace qmesh {

@@ -5,9 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include "options/choices.h"
 #include "pyramid/edge_store.h"
 #include "pyramid/tile_queue.h"
-#include "options/choices.h"
 
 namespace qmesh {
 namespace {

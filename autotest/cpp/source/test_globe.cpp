@@ -3,8 +3,8 @@
 // Round the globe: antimeridian, poles, longitudes of 0..360.
 #include <random>
 
-#include "source/pixel_frame.h"
 #include "made_raster.h"
+#include "source/pixel_frame.h"
 
 namespace qmesh {
 namespace {

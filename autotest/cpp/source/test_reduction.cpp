@@ -3,10 +3,10 @@
 // Nodes further apart than pixels: block means, overviews, kernels against brute force.
 #include <random>
 
+#include "made_raster.h"
 #include "source/interpolator.h"
 #include "source/pixel_level.h"
 #include "source/pixel_reader.h"
-#include "made_raster.h"
 
 namespace qmesh {
 namespace {

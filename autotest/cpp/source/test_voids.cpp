@@ -4,8 +4,8 @@
 #include <limits>
 #include <random>
 
-#include "source/pixel_values.h"
 #include "made_raster.h"
+#include "source/pixel_values.h"
 
 namespace qmesh {
 namespace {
