@@ -46,7 +46,7 @@ TileMesh makeMesh(double maxError) {
   }
   for (const TinTriangle& t : tin.triangles)
     mesh.indices.insert(mesh.indices.end(), t.begin(), t.end());
-  mesh.octNormals = octNormals(tile, frame, tin);
+  mesh.extensions.normals = octNormals(tile, frame, tin);
   return mesh;
 }
 

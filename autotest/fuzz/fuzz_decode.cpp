@@ -17,7 +17,8 @@ bool isBelow(const std::vector<std::uint32_t>& indices, std::size_t limit) {
 void requireValid(const qmesh::TileMesh& mesh) {
   const std::size_t count = mesh.vertexCount();
   require(mesh.v.size() == count && mesh.q.size() == count, "arrays of one length");
-  require(mesh.octNormals.empty() || mesh.octNormals.size() == 2 * count, "a normal a vertex");
+  require(mesh.extensions.normals.empty() || mesh.extensions.normals.size() == 2 * count,
+          "a normal a vertex");
   require(mesh.triangleCount() > 0 && mesh.indices.size() % 3 == 0, "whole triangles");
   require(isBelow(mesh.indices, count), "indices in range");
   for (const auto& edge : mesh.edges)

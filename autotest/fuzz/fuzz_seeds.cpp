@@ -36,9 +36,9 @@ qmesh::TileMesh gridMesh(std::uint32_t n, bool extensions) {
   }
   mesh.header.maxHeight = 100;
   if (extensions) {
-    mesh.octNormals.assign(2 * n * n, 128);
-    mesh.waterMask = {255};
-    mesh.metadata = R"({"available":[[{"startX":0,"startY":0,"endX":1,"endY":1}]]})";
+    mesh.extensions.normals.assign(2 * n * n, 128);
+    mesh.extensions.waterMask = {255};
+    mesh.extensions.metadata = R"({"available":[[{"startX":0,"startY":0,"endX":1,"endY":1}]]})";
   }
   qmesh::orderForEncoding(mesh);
   return mesh;

@@ -167,15 +167,15 @@ Status readExtension(std::uint8_t id, const std::uint8_t* data, std::size_t size
   case format::kOctNormals:
     if (size != 2 * mesh.vertexCount())
       return fault("its normals are not two bytes for each vertex");
-    mesh.octNormals.assign(data, data + size);
+    mesh.extensions.normals.assign(data, data + size);
     return {};
   case format::kWaterMask:
     if (size != 1 && size != format::kWaterMaskSize)
       return fault("its water mask has neither 1 nor 65536 bytes");
-    mesh.waterMask.assign(data, data + size);
+    mesh.extensions.waterMask.assign(data, data + size);
     return {};
   case format::kMetadata:
-    return readMetadata(ByteReader(data, size), mesh.metadata);
+    return readMetadata(ByteReader(data, size), mesh.extensions.metadata);
   default:
     return {}; // one that we do not know
   }

@@ -76,7 +76,7 @@ Status checkVertices(const TileMesh& mesh) {
     return fault("clients misread tiles of exactly 65536 vertices");
   if (!inRange(mesh.u) || !inRange(mesh.v) || !inRange(mesh.q))
     return fault("a position or height is above 32767");
-  if (!mesh.octNormals.empty() && mesh.octNormals.size() != 2 * count)
+  if (!mesh.extensions.normals.empty() && mesh.extensions.normals.size() != 2 * count)
     return fault("it does not have two bytes of normal for each vertex");
   return {};
 }
@@ -89,7 +89,7 @@ Status checkMesh(const TileMesh& mesh) {
     for (const std::uint32_t index : edge)
       if (index >= mesh.vertexCount())
         return fault("an edge names a vertex that does not exist");
-  const std::size_t mask = mesh.waterMask.size();
+  const std::size_t mask = mesh.extensions.waterMask.size();
   if (mask > 1 && mask != format::kWaterMaskSize)
     return fault("its water mask has neither 1 nor 65536 bytes");
   return {};
@@ -103,8 +103,8 @@ std::size_t encodedSize(const TileMesh& mesh) {
   size += kCount + indexSize * mesh.indices.size();
   for (const auto& edge : mesh.edges)
     size += kCount + indexSize * edge.size();
-  size += 2 * kExtensionHead + mesh.octNormals.size() + mesh.waterMask.size();
-  size += kExtensionHead + kCount + mesh.metadata.size();
+  size += 2 * kExtensionHead + mesh.extensions.normals.size() + mesh.extensions.waterMask.size();
+  size += kExtensionHead + kCount + mesh.extensions.metadata.size();
   return size;
 }
 
@@ -157,19 +157,19 @@ void putExtensionHead(ByteWriter& out, format::Extension id, std::size_t size) {
 }
 
 void putExtensions(ByteWriter& out, const TileMesh& mesh) {
-  if (!mesh.octNormals.empty()) {
-    putExtensionHead(out, format::kOctNormals, mesh.octNormals.size());
-    out.copy(mesh.octNormals.data(), mesh.octNormals.size());
+  if (!mesh.extensions.normals.empty()) {
+    putExtensionHead(out, format::kOctNormals, mesh.extensions.normals.size());
+    out.copy(mesh.extensions.normals.data(), mesh.extensions.normals.size());
   }
-  if (!mesh.waterMask.empty()) {
-    putExtensionHead(out, format::kWaterMask, mesh.waterMask.size());
-    out.copy(mesh.waterMask.data(), mesh.waterMask.size());
+  if (!mesh.extensions.waterMask.empty()) {
+    putExtensionHead(out, format::kWaterMask, mesh.extensions.waterMask.size());
+    out.copy(mesh.extensions.waterMask.data(), mesh.extensions.waterMask.size());
   }
-  if (!mesh.metadata.empty()) {
+  if (!mesh.extensions.metadata.empty()) {
     // The text carries a length of its own inside the extension.
-    putExtensionHead(out, format::kMetadata, 4 + mesh.metadata.size());
-    out.put(std::uint32_t(mesh.metadata.size()));
-    out.copy(mesh.metadata.data(), mesh.metadata.size());
+    putExtensionHead(out, format::kMetadata, 4 + mesh.extensions.metadata.size());
+    out.put(std::uint32_t(mesh.extensions.metadata.size()));
+    out.copy(mesh.extensions.metadata.data(), mesh.extensions.metadata.size());
   }
 }
 

@@ -173,14 +173,14 @@ void reorderVertices(TileMesh& mesh, const std::vector<Index>& oldNumber) {
   mesh.u = gather(mesh.u, oldNumber);
   mesh.v = gather(mesh.v, oldNumber);
   mesh.q = gather(mesh.q, oldNumber);
-  if (mesh.octNormals.empty())
+  if (mesh.extensions.normals.empty())
     return;
   std::vector<std::uint8_t> normals(2 * oldNumber.size());
   for (std::size_t i = 0; i < oldNumber.size(); ++i) {
-    normals[2 * i] = mesh.octNormals[2 * oldNumber[i]];
-    normals[2 * i + 1] = mesh.octNormals[2 * oldNumber[i] + 1];
+    normals[2 * i] = mesh.extensions.normals[2 * oldNumber[i]];
+    normals[2 * i + 1] = mesh.extensions.normals[2 * oldNumber[i] + 1];
   }
-  mesh.octNormals = std::move(normals);
+  mesh.extensions.normals = std::move(normals);
 }
 
 void sortBy(std::vector<Index>& edge, const std::vector<std::uint16_t>& place, bool ascending) {

@@ -87,8 +87,9 @@ void TileJob::assemble(const HeightTile& tile, const std::string& metadata) {
   }
   listEdges(tin_, mesh_);
   fillHeader(tile.lattice().scheme().box(tile.id()));
-  mesh_.octNormals = normals_ ? octNormals(tile, frame_, tin_) : std::vector<std::uint8_t>();
-  mesh_.metadata = metadata;
+  mesh_.extensions.normals =
+      normals_ ? octNormals(tile, frame_, tin_) : std::vector<std::uint8_t>();
+  mesh_.extensions.metadata = metadata;
   orderForEncoding(mesh_);
 }
 
@@ -144,8 +145,9 @@ ExportMesh TileJob::exportMesh(const HeightTile& tile) const {
     mesh.vertices.push_back({double(mesh_.u[k]), double(mesh_.v[k]), frame_.decode(mesh_.q[k])});
   for (std::size_t k = 0; k < mesh_.indices.size(); k += 3)
     mesh.triangles.push_back({mesh_.indices[k], mesh_.indices[k + 1], mesh_.indices[k + 2]});
-  for (std::size_t k = 0; k < mesh_.octNormals.size(); k += 2)
-    mesh.normals.push_back(octDecode({mesh_.octNormals[k], mesh_.octNormals[k + 1]}));
+  for (std::size_t k = 0; k < mesh_.extensions.normals.size(); k += 2)
+    mesh.normals.push_back(
+        octDecode({mesh_.extensions.normals[k], mesh_.extensions.normals[k + 1]}));
   return mesh;
 }
 

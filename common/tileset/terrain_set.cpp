@@ -158,7 +158,7 @@ Status TerrainSet::learnFromRoots(Levels& levels) const {
     if (!*mesh)
       continue;
     levels[0].push_back({x, 0, x, 0});
-    const auto below = readMetadataJson((*mesh)->metadata, scheme(), root);
+    const auto below = readMetadataJson((*mesh)->extensions.metadata, scheme(), root);
     if (!below.ok())
       continue; // a tile without it tells nothing about those below
     levels.resize(std::max(levels.size(), below->size() + 1));

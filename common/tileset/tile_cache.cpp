@@ -8,8 +8,8 @@ std::size_t meshBytes(const TileMesh& mesh) {
   std::size_t indices = mesh.indices.size();
   for (const auto& edge : mesh.edges)
     indices += edge.size();
-  return sizeof(TileMesh) + 6 * mesh.vertexCount() + 4 * indices + mesh.octNormals.size() +
-         mesh.waterMask.size() + mesh.metadata.size();
+  return sizeof(TileMesh) + 6 * mesh.vertexCount() + 4 * indices + mesh.extensions.normals.size() +
+         mesh.extensions.waterMask.size() + mesh.extensions.metadata.size();
 }
 
 Result<MeshPtr> TileCache::mesh(TileId tile) {

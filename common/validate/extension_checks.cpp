@@ -85,8 +85,8 @@ void checkExtensions(const ReadTile& read, const TileContext& context, const Lay
     add(604);
   if (every > 0 && context.tile.z % every == 0 && context.tile.z < layer.maxZoom && !has(4))
     add(605);
-  if (!mesh.metadata.empty())
-    checkMetadata(mesh.metadata, context, layer, listed, findings);
+  if (!mesh.extensions.metadata.empty())
+    checkMetadata(mesh.extensions.metadata, context, layer, listed, findings);
 }
 
 } // namespace qmesh

@@ -54,7 +54,7 @@ class HeaderCheck {
       add(401, "the horizon point");
     else
       checkHorizon();
-    if (!mesh_.octNormals.empty())
+    if (!mesh_.extensions.normals.empty())
       checkNormals();
   }
 
@@ -126,7 +126,8 @@ void HeaderCheck::checkNormals() {
   constexpr double kBelow = -0.05; // 8 bits and steep cliffs
   std::size_t below = 0;
   for (std::size_t k = 0; k < points_.size(); ++k) {
-    const Vec3 normal = octDecode({mesh_.octNormals[2 * k], mesh_.octNormals[2 * k + 1]});
+    const Vec3 normal =
+        octDecode({mesh_.extensions.normals[2 * k], mesh_.extensions.normals[2 * k + 1]});
     below += dot(normal, points_[k]) < kBelow * length(points_[k]);
   }
   if (below > 0)

@@ -62,8 +62,9 @@ std::array<TileEdge, 4> tileEdges(const TileMesh& mesh) {
     for (const std::uint32_t k : vertices) {
       edge.at.push_back(along[k]);
       edge.heights.push_back(decodedHeight(mesh.header, mesh.q[k]));
-      if (!mesh.octNormals.empty())
-        edge.normals.push_back({mesh.octNormals[2 * k], mesh.octNormals[2 * k + 1]});
+      if (!mesh.extensions.normals.empty())
+        edge.normals.push_back(
+            {mesh.extensions.normals[2 * k], mesh.extensions.normals[2 * k + 1]});
     }
   }
   return edges;

@@ -148,10 +148,10 @@ Json tileJson(const TileReport& tile) {
        {{"centre", vectorJson(header.sphere.centre)}, {"radius", number(header.sphere.radius)}}},
       {"horizon", vectorJson(header.horizon)},
       {"extensions", tile.read.extensions}};
-  if (!mesh.metadata.empty())
-    out["metadata"] = mesh.metadata;
-  if (mesh.waterMask.size() == 1)
-    out["water"] = mesh.waterMask[0] != 0;
+  if (!mesh.extensions.metadata.empty())
+    out["metadata"] = mesh.extensions.metadata;
+  if (mesh.extensions.waterMask.size() == 1)
+    out["water"] = mesh.extensions.waterMask[0] != 0;
   if (!tile.findings.empty()) {
     out["findings"] = Json::array();
     for (const Finding& finding : tile.findings) {

@@ -35,8 +35,8 @@ ExportMesh exportMesh(const TileReport& report) {
   for (std::size_t t = 0; t < tile.triangleCount(); ++t)
     mesh.triangles.push_back(
         {tile.indices[3 * t], tile.indices[3 * t + 1], tile.indices[3 * t + 2]});
-  for (std::size_t k = 0; k + 1 < tile.octNormals.size(); k += 2)
-    mesh.normals.push_back(octDecode({tile.octNormals[k], tile.octNormals[k + 1]}));
+  for (std::size_t k = 0; k + 1 < tile.extensions.normals.size(); k += 2)
+    mesh.normals.push_back(octDecode({tile.extensions.normals[k], tile.extensions.normals[k + 1]}));
   return mesh;
 }
 

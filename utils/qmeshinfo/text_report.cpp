@@ -175,9 +175,9 @@ std::string tileText(const TileReport& tile) {
                          : id == 4 ? "metadata"
                                    : "unknown " + std::to_string(id));
   addLine(text, "Extensions", extensions.empty() ? "none" : join(extensions, ", "));
-  if (mesh.waterMask.size() == 1)
-    addLine(text, "Water mask", mesh.waterMask[0] ? "all water" : "all land");
-  addLine(text, "Metadata", mesh.metadata);
+  if (mesh.extensions.waterMask.size() == 1)
+    addLine(text, "Water mask", mesh.extensions.waterMask[0] ? "all water" : "all land");
+  addLine(text, "Metadata", mesh.extensions.metadata);
   for (const Finding& finding : tile.findings)
     text += codeText(finding.code) + " " + enumName(findingKind(finding.code).severity) + ": " +
             findingKind(finding.code).title + (finding.what.empty() ? "" : ": " + finding.what) +

@@ -56,9 +56,9 @@ inline TileMesh goldenMesh() {
   mesh.q = {0, 99, 100, 32767};
   mesh.indices = {0, 1, 2, 0, 2, 3};
   mesh.edges = {{{0, 3}, {1, 0}, {2, 1}, {3, 2}}};
-  mesh.octNormals = {128, 128, 255, 128, 128, 255, 0, 1};
-  mesh.waterMask = {255};
-  mesh.metadata = "{}";
+  mesh.extensions.normals = {128, 128, 255, 128, 128, 255, 0, 1};
+  mesh.extensions.waterMask = {255};
+  mesh.extensions.metadata = "{}";
   return mesh;
 }
 

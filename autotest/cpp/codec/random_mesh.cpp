@@ -107,16 +107,16 @@ TileMesh randomMesh(std::mt19937& random, std::size_t columns, std::size_t rows,
   addEdges(mesh);
   for (std::size_t i = 0; i < mesh.vertexCount(); ++i) {
     mesh.q.push_back(std::uint16_t(below(random, 32768)));
-    mesh.octNormals.push_back(std::uint8_t(below(random, 256)));
-    mesh.octNormals.push_back(std::uint8_t(below(random, 256)));
+    mesh.extensions.normals.push_back(std::uint8_t(below(random, 256)));
+    mesh.extensions.normals.push_back(std::uint8_t(below(random, 256)));
   }
   mesh.header = {vector(random),
                  float(real(random)),
                  float(real(random)),
                  {vector(random), std::abs(real(random))},
                  vector(random)};
-  mesh.waterMask.assign(below(random, 2) ? 1 : 65536, std::uint8_t(below(random, 256)));
-  mesh.metadata = "{\"available\":[" + std::string(below(random, 30), ' ') + "]}";
+  mesh.extensions.waterMask.assign(below(random, 2) ? 1 : 65536, std::uint8_t(below(random, 256)));
+  mesh.extensions.metadata = "{\"available\":[" + std::string(below(random, 30), ' ') + "]}";
   return renumbered(mesh, random);
 }
 
@@ -133,8 +133,8 @@ TileMesh renumbered(const TileMesh& mesh, std::mt19937& random) {
     result.u[to[i]] = mesh.u[i];
     result.v[to[i]] = mesh.v[i];
     result.q[to[i]] = mesh.q[i];
-    result.octNormals[2 * to[i]] = mesh.octNormals[2 * i];
-    result.octNormals[2 * to[i] + 1] = mesh.octNormals[2 * i + 1];
+    result.extensions.normals[2 * to[i]] = mesh.extensions.normals[2 * i];
+    result.extensions.normals[2 * to[i] + 1] = mesh.extensions.normals[2 * i + 1];
   }
   for (std::size_t t = 0; t < triangles.size(); ++t) {
     const std::size_t turn = below(random, 3);
@@ -153,9 +153,9 @@ std::string invalidity(const TileMesh& mesh) {
   const std::size_t count = mesh.vertexCount();
   if (mesh.v.size() != count || mesh.q.size() != count)
     return "lengths differ";
-  if (!mesh.octNormals.empty() && mesh.octNormals.size() != 2 * count)
+  if (!mesh.extensions.normals.empty() && mesh.extensions.normals.size() != 2 * count)
     return "wrong number of normals";
-  if (mesh.waterMask.size() > 1 && mesh.waterMask.size() != 65536)
+  if (mesh.extensions.waterMask.size() > 1 && mesh.extensions.waterMask.size() != 65536)
     return "wrong size of the water mask";
   if (mesh.indices.empty() || mesh.indices.size() % 3 != 0)
     return "no whole triangles";
@@ -179,8 +179,7 @@ bool sameMesh(const TileMesh& a, const TileMesh& b) {
         std::multiset<Index>(b.edges[e].begin(), b.edges[e].end()))
       return false;
   return sameHeader(a.header, b.header) && a.u == b.u && a.v == b.v && a.q == b.q &&
-         a.indices == b.indices && a.octNormals == b.octNormals && a.waterMask == b.waterMask &&
-         a.metadata == b.metadata;
+         a.indices == b.indices && a.extensions == b.extensions;
 }
 
 } // namespace qmesh::test

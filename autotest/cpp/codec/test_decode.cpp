@@ -66,9 +66,9 @@ TEST(Decode, RefusesEveryShorterTile) {
 TEST(Decode, RefusesEveryShorterTileWithWideIndices) {
   std::mt19937 random(51);
   TileMesh wide = test::randomMesh(random, 256, 256, 1);
-  wide.octNormals.clear();
-  wide.waterMask.clear();
-  wide.metadata.clear();
+  wide.extensions.normals.clear();
+  wide.extensions.waterMask.clear();
+  wide.extensions.metadata.clear();
   orderForEncoding(wide);
   const Bytes whole = *encodeTile(wide);
   for (std::size_t size = 3; size < whole.size(); size += 99991)

@@ -24,9 +24,9 @@ TEST(Encode, WritesTheGoldenTile) {
 
 TEST(Encode, LeavesOutExtensionsThatAreEmpty) {
   TileMesh mesh = goldenMesh();
-  mesh.octNormals.clear();
-  mesh.waterMask.clear();
-  mesh.metadata.clear();
+  mesh.extensions.normals.clear();
+  mesh.extensions.waterMask.clear();
+  mesh.extensions.metadata.clear();
   auto expected = test::goldenBytes();
   expected.resize(expected.size() - 30);
   EXPECT_EQ(*encodeTile(mesh), expected);
@@ -90,8 +90,8 @@ TEST(Encode, RefusesMeshesThatAreNotOne) {
       {"u above 32767", [](TileMesh& m) { m.u[2] = 32768; }},
       {"q above 32767", [](TileMesh& m) { m.q[3] = 65535; }},
       {"edge index too large", [](TileMesh& m) { m.edges[2][0] = 4; }},
-      {"a normal missing", [](TileMesh& m) { m.octNormals.pop_back(); }},
-      {"water mask of 2 bytes", [](TileMesh& m) { m.waterMask.push_back(0); }},
+      {"a normal missing", [](TileMesh& m) { m.extensions.normals.pop_back(); }},
+      {"water mask of 2 bytes", [](TileMesh& m) { m.extensions.waterMask.push_back(0); }},
   };
   for (const Fault& fault : faults) {
     TileMesh mesh = goldenMesh();

@@ -19,7 +19,8 @@ using test::randomMesh;
 using Vertex = std::array<int, 5>;
 
 Vertex vertexOf(const TileMesh& mesh, std::uint32_t i) {
-  return {mesh.u[i], mesh.v[i], mesh.q[i], mesh.octNormals[2 * i], mesh.octNormals[2 * i + 1]};
+  return {mesh.u[i], mesh.v[i], mesh.q[i], mesh.extensions.normals[2 * i],
+          mesh.extensions.normals[2 * i + 1]};
 }
 
 /// How often each triangle occurs, begun at its least corner, which keeps the orientation.
@@ -118,8 +119,8 @@ TEST(Order, OfNothingIsNothing) {
 /// A smooth hill on a regular grid: what terrain looks like to the compressor.
 TileMesh hill(std::mt19937& random) {
   TileMesh mesh = randomMesh(random, 33, 33);
-  mesh.octNormals.clear();
-  mesh.waterMask.clear();
+  mesh.extensions.normals.clear();
+  mesh.extensions.waterMask.clear();
   for (std::size_t i = 0; i < mesh.vertexCount(); ++i) {
     const double x = mesh.u[i] / 32767.0, y = mesh.v[i] / 32767.0;
     mesh.q[i] = std::uint16_t(32767 * x * (1 - x) * (y + 1));

@@ -40,7 +40,7 @@ std::vector<EdgeVertex> edgeOf(const TileMesh& mesh, int edge) {
     const double h = mesh.header.minHeight * (1 - t) + mesh.header.maxHeight * t;
     const bool alongV = edge == kWest || edge == kEast;
     list.push_back({alongV ? mesh.v[k] : mesh.u[k], h,
-                    mesh.octNormals[2 * k] << 8 | mesh.octNormals[2 * k + 1]});
+                    mesh.extensions.normals[2 * k] << 8 | mesh.extensions.normals[2 * k + 1]});
   }
   std::sort(list.begin(), list.end(),
             [](const EdgeVertex& a, const EdgeVertex& b) { return a.position < b.position; });

@@ -79,8 +79,8 @@ class TerrainSetTest : public ::testing::Test {
     mesh.q = {0, 0, 32767, 32767};
     mesh.indices = {0, 1, 2, 0, 2, 3};
     mesh.edges = {{{0, 3}, {0, 1}, {1, 2}, {2, 3}}};
-    mesh.octNormals.assign(8, 0x80);
-    mesh.metadata = metadata;
+    mesh.extensions.normals.assign(8, 0x80);
+    mesh.extensions.metadata = metadata;
     return *encodeTile(mesh);
   }
 
@@ -189,7 +189,7 @@ TEST_F(TerrainSetTest, OldServersWroteLengthsTheOtherWayRound) {
   ASSERT_TRUE(set.ok()) << set.status().message();
   const auto mesh = set->readTile({0, 0, 0});
   ASSERT_TRUE(mesh.ok()) << mesh.status().message();
-  EXPECT_EQ((*mesh)->octNormals.size(), 8u);
+  EXPECT_EQ((*mesh)->extensions.normals.size(), 8u);
 }
 
 TEST_F(TerrainSetTest, OneTileAlone) {
