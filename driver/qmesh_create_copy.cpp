@@ -10,7 +10,6 @@
 #include "options/creation_options.h"
 #include "options/validate.h"
 #include "pyramid/report.h"
-#include "pyramid/tileset_builder.h"
 #include "qmesh_errors.h"
 #include "qmesh_files.h"
 #include "qmesh_identify.h"
@@ -138,11 +137,10 @@ Status Build(const char *pszFilename, GDALDataset *poSrcDS, CSLConstList papszOp
         QMESHReportWarning(osWarning);
     if (!oPlan.ok())
         return oPlan.status();
-    const auto poSink = qmesh::openTerrainSink(oOptions);
-    if (!poSink.ok())
-        return poSink.status();
-    const auto oReport = qmesh::buildTileset({oOptions, oPlan->pyramid, *oPlan->source},
-                                             oPlan->blocks, **poSink, {}, oProgress);
+    auto oOutput = qmesh::openOutput(oOptions);
+    if (!oOutput.ok())
+        return oOutput.status();
+    const auto oReport = qmesh::makeTerrain(oOptions, *oPlan, *oOutput, {}, oProgress);
     if (!oReport.ok())
         return oReport.status();
     qmesh::removeNotes(oOptions.output);

@@ -7,13 +7,10 @@
 
 namespace qmesh {
 
-std::string metadataJson(const Availability& availability, TileId tile, int levels) {
+std::string metadataJson(const std::vector<std::vector<TileRange>>& levels) {
   std::string text = R"({"available":[)";
-  for (int zoom = tile.z + 1; zoom <= tile.z + levels; ++zoom) {
-    text += zoom > tile.z + 1 ? "," : "";
-    text +=
-        zoom <= availability.maxZoom() ? rangesJson(availability.rangesUnder(tile, zoom)) : "[]";
-  }
+  for (std::size_t k = 0; k < levels.size(); ++k)
+    text += (k > 0 ? "," : "") + rangesJson(levels[k]);
   return text + "]}";
 }
 

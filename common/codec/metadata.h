@@ -10,9 +10,9 @@
 
 namespace qmesh {
 
-/// The JSON of the metadata extension (id 4) of a tile: under "available" one list of ranges for
-/// each of the levels tile.z+1 .. tile.z+levels, rows from the south.
-std::string metadataJson(const Availability& availability, TileId tile, int levels);
+/// The JSON of the metadata extension (id 4) of a tile: under "available" the rectangles of its
+/// descendants, by level from the one below the tile, rows from the south.
+std::string metadataJson(const std::vector<std::vector<TileRange>>& levels);
 
 /// The inverse, for a tile of any producer: the rectangles of the levels tile.z+1 and on.
 /// Code::input where the text is not such JSON or a rectangle lies outside its level's matrix.

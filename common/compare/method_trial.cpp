@@ -137,7 +137,7 @@ Result<ComparedMethod> MethodTrial::measure(const std::string& value) {
   for (const NodeWindow& window : windows_) {
     const HeightTile tile =
         window.tile({window.lattice().zoom(), window.tiles().x0, window.tiles().y0});
-    QMESH_RETURN_IF_ERROR(job.run(tile, setting->level, "", result, seconds));
+    QMESH_RETURN_IF_ERROR(job.run(tile, setting->level, nullptr, result, seconds));
     row.vertices += result.stats.vertices;
     row.triangles += result.stats.triangles;
     row.bytes += result.bytes.size();

@@ -25,34 +25,35 @@ struct InheritRunner::Level {
 /// One thread's buffers.
 class InheritRunner::Worker {
  public:
-  Worker(BuildShared& shared, Level& level) : shared_(shared), level_(level), maker_(shared) {}
+  Worker(const RunContext& context, const KeptTiles& kept, Level& level)
+      : context_(context), kept_(kept), level_(level), maker_(context) {}
 
-  Status run(std::uint32_t index) {
+  Result<BlockResult> run(std::uint32_t index) {
+    BlockResult result;
     Stopwatch watch;
     const TileId id = level_.schedule.tile(index);
     QMESH_RETURN_IF_ERROR(load(id));
-    maker_.seconds()[int(Step::sample)] += watch.lap();
+    result.seconds[int(Step::sample)] += watch.lap();
     takeEdges(index);
-    QMESH_RETURN_IF_ERROR(maker_.make(window_.tile(id), border_));
+    QMESH_RETURN_IF_ERROR(maker_.make(window_.tile(id), kept_, border_, result));
     putEdges(index);
-    maker_.publish();
-    return {};
+    return result;
   }
 
   /// The tile's nodes with its halo, voids filled.
   Status load(TileId id) {
-    const PyramidPlan& plan = shared_.plan;
-    const float value = float(shared_.options.voidValue);
+    const PyramidPlan& plan = context_.plan();
+    const float value = float(context_.options().voidValue);
     window_.reset(plan.lattice(id.z), {id.x, id.y, id.x, id.y}, kTileHalo);
     QMESH_RETURN_IF_ERROR(level_.raw->read(window_));
-    window_.setPoles(shared_.source.poleHeight(false), shared_.source.poleHeight(true));
+    window_.setPoles(context_.source().poleHeight(false), context_.source().poleHeight(true));
     if (level_.coarser) {
       const TileId parent = id.parent();
-      context_.reset(plan.lattice(parent.z), {parent.x, parent.y, parent.x, parent.y}, kTileHalo);
-      QMESH_RETURN_IF_ERROR(level_.coarser->read(context_));
-      fillVoids(context_, value);
+      coarser_.reset(plan.lattice(parent.z), {parent.x, parent.y, parent.x, parent.y}, kTileHalo);
+      QMESH_RETURN_IF_ERROR(level_.coarser->read(coarser_));
+      fillVoids(coarser_, value);
       fillVoidsOutside(window_, plan.support, value);
-      fillVoids(window_, context_);
+      fillVoids(window_, coarser_);
     } else {
       fillVoids(window_, value);
     }
@@ -81,27 +82,29 @@ class InheritRunner::Worker {
     return level_.schedule.rank(a) < level_.schedule.rank(b);
   }
 
-  BuildShared& shared_;
+  const RunContext& context_;
+  const KeptTiles& kept_;
   Level& level_;
   TileMaker maker_;
-  NodeWindow window_, context_;
+  NodeWindow window_, coarser_;
   Border border_;
 };
 
 Status InheritRunner::run() {
   QMESH_RETURN_IF_ERROR(stages_.runUp(raw_));
-  for (int zoom = 0; zoom <= shared_.plan.maxZoom; ++zoom)
-    total_ += shared_.written.count(zoom);
-  for (int zoom = blocks_.stages.back().coarsest; zoom <= shared_.plan.maxZoom; ++zoom)
+  kept_ = stages_.totals().get().kept;
+  for (int zoom = 0; zoom <= context_.plan().maxZoom; ++zoom)
+    total_ += kept_.count(zoom);
+  for (int zoom = blocks_.stages.back().coarsest; zoom <= context_.plan().maxZoom; ++zoom)
     QMESH_RETURN_IF_ERROR(runLevel(zoom));
   return {};
 }
 
 Status InheritRunner::runLevel(int zoom) {
-  const bool bridging = shared_.options.voidFill == VoidFill::interpolate;
-  const bool filling = bridging && zoom < shared_.plan.maxZoom;
+  const bool bridging = context_.options().voidFill == VoidFill::interpolate;
+  const bool filling = bridging && zoom < context_.plan().maxZoom;
   filled_ = filling ? stages_.makeStore(zoom, "filled") : nullptr;
-  Level level(shared_.plan.scheme, zoom, shared_.written.ranges(zoom), shared_.options.schedule);
+  Level level(context_.plan().scheme, zoom, kept_.ranges(zoom), context_.options().schedule);
   level.raw = raw_[std::size_t(zoom)].get();
   level.coarser = coarser_.get();
   level.filled = filled_.get();
@@ -116,18 +119,19 @@ Status InheritRunner::runLevel(int zoom) {
 /// Voids of the tiles that are not written but lie under others.
 Status InheritRunner::fillOthers(Level& level, int zoom) {
   std::vector<TileId> others;
-  for (const TileRange& r : shared_.plan.support.ranges(zoom)) {
+  for (const TileRange& r : context_.plan().support.ranges(zoom)) {
     for (std::uint32_t y = r.y0; y <= r.y1; ++y) {
       for (std::uint32_t x = r.x0; x <= r.x1; ++x) {
-        if (!shared_.written.contains({zoom, x, y}))
+        if (!kept_.contains({zoom, x, y}))
           others.push_back({zoom, x, y});
       }
     }
   }
+  const KeptTiles kept(kept_, context_.plan().maxZoom);
   std::atomic<std::size_t> next{0};
   return runTeam(others.size(), [&]() -> Status {
-    Worker worker(shared_, level);
-    for (std::size_t k = next++; k < others.size() && !shared_.stop; k = next++)
+    Worker worker(context_, kept, level);
+    for (std::size_t k = next++; k < others.size() && !context_.control.stop; k = next++)
       QMESH_RETURN_IF_ERROR(worker.load(others[k]));
     return {};
   });
@@ -136,14 +140,18 @@ Status InheritRunner::fillOthers(Level& level, int zoom) {
 Status InheritRunner::runTeam(std::size_t tiles, const std::function<Status()>& work) {
   const std::size_t threads = std::min(std::size_t(blocks_.threads), tiles);
   return team_.run(threads, work, [&] {
-    return kUpShare + (1 - kUpShare) * double(shared_.tilesDone) / double(total_);
+    return kUpShare + (1 - kUpShare) * double(context_.control.tilesDone) / double(total_);
   });
 }
 
 Status InheritRunner::work(Level& level) {
-  Worker worker(shared_, level);
-  while (const auto index = level.queue.next(shared_.stop)) {
-    QMESH_RETURN_IF_ERROR(worker.run(*index));
+  const KeptTiles kept(kept_, context_.plan().maxZoom);
+  Worker worker(context_, kept, level);
+  while (const auto index = level.queue.next(context_.control.stop)) {
+    const auto result = worker.run(*index);
+    if (!result.ok())
+      return result.status();
+    stages_.totals().add(*result);
     level.queue.finish(*index);
   }
   return {};

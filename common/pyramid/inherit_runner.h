@@ -16,8 +16,9 @@ namespace qmesh {
 /// one gives.
 class InheritRunner {
  public:
-  InheritRunner(BuildShared& shared, const BlockPlan& blocks, WorkTeam& team, StageRunner& stages)
-      : shared_(shared), blocks_(blocks), team_(team), stages_(stages) {}
+  InheritRunner(const RunContext& context, const BlockPlan& blocks, WorkTeam& team,
+                StageRunner& stages)
+      : context_(context), blocks_(blocks), team_(team), stages_(stages) {}
 
   Status run();
 
@@ -30,11 +31,12 @@ class InheritRunner {
   Status runTeam(std::size_t tiles, const std::function<Status()>& work);
   Status work(Level& level);
 
-  BuildShared& shared_;
+  const RunContext& context_;
   const BlockPlan& blocks_;
   WorkTeam& team_;
   StageRunner& stages_;
-  std::uint64_t total_ = 0;                    ///< tiles that will be written
+  Availability kept_;                          ///< every tile that will be written
+  std::uint64_t total_ = 0;                    ///< their number
   std::vector<StageRunner::StorePointer> raw_; ///< by zoom
   StageRunner::StorePointer coarser_, filled_; ///< without voids (VoidFill::interpolate)
 };

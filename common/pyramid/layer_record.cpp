@@ -4,6 +4,8 @@
 
 #include <cstdio>
 
+#include "pyramid/tile_extensions.h"
+
 namespace qmesh {
 
 namespace {
@@ -31,7 +33,7 @@ std::string baseName(const std::string& path) {
 } // namespace
 
 LayerJson layerRecord(const BuildOptions& options, const PyramidPlan& plan,
-                      const Availability& written, const BuildReport& report) {
+                      const Availability& kept, const BuildReport& report) {
   LayerJson layer;
   layer.name = options.title.empty() ? baseName(options.input) : options.title;
   layer.version = versionOf(report.contentHash);
@@ -40,14 +42,11 @@ LayerJson layerRecord(const BuildOptions& options, const PyramidPlan& plan,
   layer.slippyMap = options.xyz;
   layer.bounds = simpleBounds(plan.bounds);
   layer.minZoom = plan.minZoom;
-  layer.maxZoom = written.maxZoom();
+  layer.maxZoom = kept.maxZoom();
   for (int z = 0; z <= layer.maxZoom; ++z)
-    layer.available.push_back(written.ranges(z));
-  if (options.normals)
-    layer.extensions.push_back("octvertexnormals");
-  if (options.metadata > 0)
-    layer.extensions.push_back("metadata");
-  layer.metadataAvailability = options.metadata;
+    layer.available.push_back(kept.ranges(z));
+  for (const auto& provider : extensionProviders(options))
+    provider->announce(layer);
   layer.generator = "gdal2qmesh " QMESH_VERSION;
   layer.method = options.method;
   layer.cellsPerTile = plan.cells;

@@ -3,115 +3,164 @@
 #include "pyramid/stage_runner.h"
 
 #include <algorithm>
+#include <utility>
+
+#include "pyramid/downward_job.h"
 
 namespace qmesh {
 
-StageRunner::StageRunner(BuildShared& shared, const BlockPlan& blocks, WorkTeam& team,
-                         std::string scratch)
-    : shared_(shared), blocks_(blocks), team_(team), scratch_(std::move(scratch)),
-      budget_(std::int64_t(blocks.storeBytes)) {}
+StageRunner::StageRunner(const RunContext& context, const BlockPlan& blocks,
+                         BlockScheduler& scheduler, WorkTeam& team, std::string scratch)
+    : context_(context), blocks_(blocks), scheduler_(scheduler), team_(team),
+      scratch_(std::move(scratch)), budget_(std::int64_t(blocks.storeBytes)) {}
 
 Status StageRunner::run() {
-  return shared_.options.voidFill == VoidFill::interpolate ? runUpAndDown() : runWhole();
+  return context_.options().voidFill == VoidFill::interpolate ? runUpAndDown() : runWhole();
 }
 
 StageRunner::StorePointer StageRunner::makeStore(int zoom, const char* kind) {
-  return std::make_unique<ChunkStore>(shared_.plan.lattice(zoom), budget_,
+  return std::make_unique<ChunkStore>(context_.plan().lattice(zoom), budget_,
                                       scratch_ + "/" + kind + std::to_string(zoom) + ".nodes");
 }
 
+NodeStores StageRunner::storesFor(const Stage& stage, ChunkStore* coarse) const {
+  NodeStores stores(context_.plan().levels.size(), nullptr);
+  if (coarse)
+    stores[std::size_t(stage.blockZoom)] = coarse;
+  return stores;
+}
+
 Status StageRunner::runWhole() {
-  StorePointer raw;
+  StorePointer finer;
   for (const Stage& stage : blocks_.stages) {
     StorePointer coarse = stage.feedsNext ? makeStore(stage.blockZoom, "raw") : nullptr;
     QMESH_RETURN_IF_ERROR(
-        runStage(stage, {raw.get(), coarse.get(), nullptr, nullptr, nullptr}, Pass::whole));
-    raw = std::move(coarse);
+        runUpStage(stage, finer.get(), storesFor(stage, coarse.get()), TileMaking::constantFill));
+    finer = std::move(coarse);
   }
   return {};
 }
 
 Status StageRunner::runUpAndDown() {
   const auto& stages = blocks_.stages;
-  std::vector<StorePointer> raw(stages.size());
+  std::vector<StorePointer> raw(stages.size()); ///< fed by a stage, read by the next
+  const auto finer = [&](std::size_t k) { return k > 0 ? raw[k - 1].get() : nullptr; };
   for (std::size_t k = 0; k < stages.size(); ++k) {
     if (stages[k].feedsNext)
       raw[k] = makeStore(stages[k].blockZoom, "raw");
-    const ChunkStore* finer = k > 0 ? raw[k - 1].get() : nullptr;
     QMESH_RETURN_IF_ERROR(
-        runStage(stages[k], {finer, raw[k].get(), nullptr, nullptr, nullptr}, Pass::up));
+        runUpStage(stages[k], finer(k), storesFor(stages[k], raw[k].get()), TileMaking::none));
   }
-  StorePointer coarser;
+  const Availability all = totals_.get().kept;
+  const KeptTiles kept(all, context_.plan().maxZoom);
+  StorePointer above;
   for (std::size_t k = stages.size(); k-- > 0;) {
     StorePointer filled = k > 0 ? makeStore(stages[k].finest, "filled") : nullptr;
-    const ChunkStore* finer = k > 0 ? raw[k - 1].get() : nullptr;
-    QMESH_RETURN_IF_ERROR(
-        runStage(stages[k], {finer, nullptr, coarser.get(), filled.get(), nullptr}, Pass::down));
+    QMESH_RETURN_IF_ERROR(runDownStage(stages[k], finer(k), kept, above.get(), filled.get()));
     raw[k].reset();
-    coarser = std::move(filled);
+    above = std::move(filled);
   }
   return {};
 }
 
 Status StageRunner::runUp(std::vector<StorePointer>& levels) {
   levels.clear();
-  levels.resize(shared_.plan.levels.size());
-  for (int zoom = blocks_.stages.back().coarsest; zoom <= shared_.plan.maxZoom; ++zoom)
+  levels.resize(context_.plan().levels.size());
+  for (int zoom = blocks_.stages.back().coarsest; zoom <= context_.plan().maxZoom; ++zoom)
     levels[std::size_t(zoom)] = makeStore(zoom, "raw");
   for (const Stage& stage : blocks_.stages) {
-    const bool first = stage.finest == shared_.plan.maxZoom;
-    const ChunkStore* raw = first ? nullptr : levels[std::size_t(stage.finest)].get();
-    QMESH_RETURN_IF_ERROR(runStage(stage, {raw, nullptr, nullptr, nullptr, &levels}, Pass::up));
+    NodeStores stores;
+    for (const StorePointer& level : levels)
+      stores.push_back(level.get());
+    const ChunkStore* finer = nullptr;
+    if (stage.finest < context_.plan().maxZoom) // that level is stored already
+      finer = std::exchange(stores[std::size_t(stage.finest)], nullptr);
+    QMESH_RETURN_IF_ERROR(runUpStage(stage, finer, stores, TileMaking::none));
   }
   return {};
 }
 
-Status StageRunner::runStage(const Stage& stage, const StageStores& stores, Pass pass) {
-  next_ = 0;
-  const std::size_t count =
-      std::min<std::size_t>(std::size_t(blocks_.threads), stage.blocks.size());
-  QMESH_RETURN_IF_ERROR(team_.run(
-      count, [&] { return work(stage, stores, pass); }, [&] { return done(stage, pass); }));
-  return stores.raw ? Status() : checkData();
+Result<std::unique_ptr<FinestNodes>> StageRunner::finestNodes(const Stage& stage,
+                                                              const ChunkStore* finer) const {
+  if (finer)
+    return storedNodes(*finer);
+  return sampledNodes(context_.plan(), context_.source(), stage.finest);
 }
 
-/// A DEM between two nodes makes a flat set (the report says so); one without any height none.
+Status StageRunner::runUpStage(const Stage& stage, const ChunkStore* finer,
+                               const NodeStores& stores, TileMaking making) {
+  const Availability kept = totals_.get().kept; // of earlier stages: this one's is merged later
+  const JobMaker makeJob = [&]() -> Result<JobPointer> {
+    auto finest = finestNodes(stage, finer);
+    if (!finest.ok())
+      return finest.status();
+    return JobPointer(
+        std::make_unique<UpwardJob>(context_, stage, kept, *std::move(finest), stores, making));
+  };
+  QMESH_RETURN_IF_ERROR(runBlocks(
+      stage, makeJob, [&] { return making == TileMaking::none ? upDone(stage) : tilesDone(); }));
+  return finer ? Status() : checkData();
+}
+
+Status StageRunner::runDownStage(const Stage& stage, const ChunkStore* finer, const KeptTiles& kept,
+                                 const ChunkStore* above, ChunkStore* finest) {
+  const JobMaker makeJob = [&]() -> Result<JobPointer> {
+    auto nodes = finestNodes(stage, finer);
+    if (!nodes.ok())
+      return nodes.status();
+    return JobPointer(std::make_unique<DownwardJob>(context_, stage, kept, *std::move(nodes),
+                                                    DownwardJob::Stores{above, finest}));
+  };
+  return runBlocks(stage, makeJob, [this] { return kUpShare + (1 - kUpShare) * tilesDone(); });
+}
+
+/// A DEM between two nodes makes a flat tileset (the report says so); one without any height none.
 Status StageRunner::checkData() {
-  if (shared_.anyData)
+  if (totals_.get().anyData)
     return {};
-  const auto has = shared_.source.hasData();
+  const auto has = context_.source().hasData();
   if (!has.ok())
     return has.status();
   if (!*has)
-    return {Code::input, shared_.options.input + ": no cell has a height: all are nodata, NaN or "
-                                                 "masked; see -a for another nodata value"};
+    return {Code::input, context_.options().input +
+                             ": no cell has a height: all are nodata, NaN or "
+                             "masked; see -a for another nodata value"};
   return {};
 }
 
-double StageRunner::done(const Stage& stage, Pass pass) const {
-  if (pass == Pass::up) {
-    const bool first = stage.finest == shared_.plan.maxZoom;
-    const double blocks = double(std::min(next_.load(), stage.blocks.size()));
-    return first ? kUpShare * blocks / double(stage.blocks.size()) : kUpShare;
-  }
-  const double tiles = double(shared_.tilesDone) / double(shared_.plan.tileCount());
-  return pass == Pass::down ? kUpShare + (1 - kUpShare) * tiles : tiles;
+double StageRunner::tilesDone() const {
+  return double(context_.control.tilesDone) / double(context_.plan().tileCount());
 }
 
-Status StageRunner::work(const Stage& stage, const StageStores& stores, Pass pass) {
-  std::unique_ptr<NodeSource> source;
-  if (!stores.raw) {
-    auto opened = shared_.source.open(shared_.plan.lattice(stage.finest));
-    if (!opened.ok())
-      return opened.status();
-    source = std::move(*opened);
-  }
-  BlockJob job(shared_, stage, stores, pass, std::move(source));
-  while (!shared_.stop) {
-    const std::size_t k = next_++;
-    if (k >= stage.blocks.size())
+/// Nearly all of an upward pass is its first stage.
+double StageRunner::upDone(const Stage& stage) const {
+  const bool first = stage.finest == context_.plan().maxZoom;
+  return first ? kUpShare * double(scheduler_.given()) / double(stage.blocks.size()) : kUpShare;
+}
+
+Status StageRunner::runBlocks(const Stage& stage, const JobMaker& makeJob, const Done& done) {
+  scheduler_.begin(stage.blocks.size());
+  const std::size_t threads =
+      std::min<std::size_t>(std::size_t(blocks_.threads), stage.blocks.size());
+  return team_.run(
+      threads, [&] { return work(stage, makeJob); }, done);
+}
+
+/// What one thread does in a pass.
+Status StageRunner::work(const Stage& stage, const JobMaker& makeJob) {
+  const auto job = makeJob();
+  if (!job.ok())
+    return job.status();
+  while (!context_.control.stop) {
+    const auto block = scheduler_.next();
+    if (!block)
       return {};
-    QMESH_RETURN_IF_ERROR(job.run(stage.blocks[k]));
+    const auto result = (*job)->run(stage.blocks[*block]);
+    if (!result.ok())
+      return result.status();
+    if (context_.control.stop)
+      return {}; // the result may be incomplete
+    totals_.add(*result);
   }
   return {};
 }

@@ -2,25 +2,28 @@
 // Copyright (c) 2026 the qmesh authors
 #pragma once
 
-#include <atomic>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "base/work_team.h"
-#include "pyramid/block_job.h"
+#include "pyramid/block_scheduler.h"
+#include "pyramid/run_context.h"
+#include "pyramid/upward_job.h"
 
 namespace qmesh {
 
 /// Share of the work that the upward pass is, where there is one.
 inline constexpr double kUpShare = 0.3;
 
-/// The stages of a run, one after the other, each by a team of threads that take blocks from a
-/// common counter and share nothing else but what BuildShared guards.
+/// Runs the stages one after the other, each by a team of threads that take blocks from the
+/// scheduler, and merges what they return.
 class StageRunner {
  public:
   /// Temporary files go to the folder `scratch`.
-  StageRunner(BuildShared& shared, const BlockPlan& blocks, WorkTeam& team, std::string scratch);
+  StageRunner(const RunContext& context, const BlockPlan& blocks, BlockScheduler& scheduler,
+              WorkTeam& team, std::string scratch);
 
   using StorePointer = std::unique_ptr<ChunkStore>;
 
@@ -33,20 +36,38 @@ class StageRunner {
 
   StorePointer makeStore(int zoom, const char* kind);
 
+  /// What has been made so far.
+  RunTotals& totals() { return totals_; }
+
  private:
+  using JobPointer = std::unique_ptr<BlockJob>;
+  /// Makes a job for one thread.
+  using JobMaker = std::function<Result<JobPointer>()>;
+  using Done = std::function<double()>;
+
   Status runWhole();
   Status runUpAndDown();
-  Status runStage(const Stage& stage, const StageStores& stores, Pass pass);
+  Status runUpStage(const Stage& stage, const ChunkStore* finer, const NodeStores& stores,
+                    TileMaking making);
+  Status runDownStage(const Stage& stage, const ChunkStore* finer, const KeptTiles& kept,
+                      const ChunkStore* above, ChunkStore* finest);
+  Status runBlocks(const Stage& stage, const JobMaker& makeJob, const Done& done);
+  Status work(const Stage& stage, const JobMaker& makeJob);
+  Result<std::unique_ptr<FinestNodes>> finestNodes(const Stage& stage,
+                                                   const ChunkStore* finer) const;
+  /// No store for any level but, where `coarse` is one, the level that the next stage begins with.
+  NodeStores storesFor(const Stage& stage, ChunkStore* coarse) const;
   Status checkData();
-  double done(const Stage& stage, Pass pass) const;
-  Status work(const Stage& stage, const StageStores& stores, Pass pass);
+  double tilesDone() const;
+  double upDone(const Stage& stage) const;
 
-  BuildShared& shared_;
+  const RunContext& context_;
   const BlockPlan& blocks_;
+  BlockScheduler& scheduler_;
   WorkTeam& team_;
   std::string scratch_;
   MemoryBudget budget_;
-  std::atomic<std::size_t> next_{0};
+  RunTotals totals_;
 };
 
 } // namespace qmesh

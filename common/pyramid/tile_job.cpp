@@ -10,7 +10,6 @@
 #include "geo/bounding.h"
 #include "geo/ellipsoid.h"
 #include "geo/octahedral.h"
-#include "mesh/normals.h"
 #include "pyramid/inherited_border.h"
 
 namespace qmesh {
@@ -55,7 +54,8 @@ LevelStats statsOf(const Tin& tin, const TileFrame& frame) {
 } // namespace
 
 TileJob::TileJob(const BuildOptions& options)
-    : simplifier_(findSimplifier(options.method)->create(options)), normals_(options.normals),
+    : simplifier_(findSimplifier(options.method)->create(options)),
+      extensions_(extensionProviders(options)),
       compress_(options.compression == Compression::gzip) {}
 
 void TileJob::fillHeader(const GeoBox& box) {
@@ -72,7 +72,7 @@ void TileJob::fillHeader(const GeoBox& box) {
   mesh_.header.maxHeight = frame_.maxHeight();
 }
 
-void TileJob::assemble(const HeightTile& tile, const std::string& metadata) {
+void TileJob::assemble(const HeightTile& tile, const KeptTiles* kept) {
   mesh_.u.clear();
   mesh_.v.clear();
   mesh_.q.clear();
@@ -87,42 +87,41 @@ void TileJob::assemble(const HeightTile& tile, const std::string& metadata) {
   }
   listEdges(tin_, mesh_);
   fillHeader(tile.lattice().scheme().box(tile.id()));
-  mesh_.extensions.normals =
-      normals_ ? octNormals(tile, frame_, tin_) : std::vector<std::uint8_t>();
-  mesh_.extensions.metadata = metadata;
+  mesh_.extensions = {};
+  for (const auto& provider : extensions_)
+    provider->provide({tile, frame_, tin_, kept}, mesh_.extensions);
   orderForEncoding(mesh_);
 }
 
-Status TileJob::run(const HeightTile& tile, const LevelParams& level, const std::string& metadata,
+Status TileJob::run(const HeightTile& tile, const LevelParams& level, const KeptTiles* kept,
                     TileResult& result, StepSeconds& seconds) {
   Stopwatch watch;
   frame_.reset(tile, level);
   border_.isFree = {};
   simplifier_->makeBorder(tile, frame_, level, border_);
   seconds[int(Step::mesh)] += watch.lap();
-  return simplifyAndEncode(tile, level, metadata, result, seconds);
+  return simplifyAndEncode(tile, level, kept, result, seconds);
 }
 
-Status TileJob::run(const HeightTile& tile, const LevelParams& level, const std::string& metadata,
+Status TileJob::run(const HeightTile& tile, const LevelParams& level, const KeptTiles* kept,
                     Border& border, TileResult& result, StepSeconds& seconds) {
   Stopwatch watch;
   frame_.reset(tile, level);
   border_ = border;
   completeBorder(*simplifier_, tile, frame_, level, border_);
   seconds[int(Step::mesh)] += watch.lap();
-  QMESH_RETURN_IF_ERROR(simplifyAndEncode(tile, level, metadata, result, seconds));
+  QMESH_RETURN_IF_ERROR(simplifyAndEncode(tile, level, kept, result, seconds));
   listBorder(tin_, border);
   return {};
 }
 
 Status TileJob::simplifyAndEncode(const HeightTile& tile, const LevelParams& level,
-                                  const std::string& metadata, TileResult& result,
-                                  StepSeconds& seconds) {
+                                  const KeptTiles* kept, TileResult& result, StepSeconds& seconds) {
   Stopwatch watch;
   QMESH_RETURN_IF_ERROR(simplifier_->simplify(tile, frame_, border_, level, tin_));
   seconds[int(Step::mesh)] += watch.lap();
 
-  assemble(tile, metadata);
+  assemble(tile, kept);
   auto bytes = encodeTile(mesh_);
   if (!bytes.ok()) {
     return {bytes.status().code(), "tile " + nameOf(tile.id()) + ": " + bytes.status().message()};

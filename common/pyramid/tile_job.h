@@ -13,6 +13,7 @@
 #include "export/export_mesh.h"
 #include "options/build_options.h"
 #include "pyramid/report.h"
+#include "pyramid/tile_extensions.h"
 #include "simplify/simplifier.h"
 
 namespace qmesh {
@@ -30,27 +31,28 @@ class TileJob {
  public:
   explicit TileJob(const BuildOptions& options);
 
-  /// `metadata` is the JSON of the metadata extension, empty for none. Adds to `seconds`.
-  Status run(const HeightTile& tile, const LevelParams& level, const std::string& metadata,
+  /// `kept`: the tiles of the tileset, for the metadata extension; null for a tile by itself. Adds
+  /// to `seconds`.
+  Status run(const HeightTile& tile, const LevelParams& level, const KeptTiles* kept,
              TileResult& result, StepSeconds& seconds);
 
   /// The same under --border inherit. `border`: in, the edges that neighbours have built, the
   /// others free; out, the edges of this tile (pyramid/inherited_border.h). The result depends on
   /// them, too.
-  Status run(const HeightTile& tile, const LevelParams& level, const std::string& metadata,
+  Status run(const HeightTile& tile, const LevelParams& level, const KeptTiles* kept,
              Border& border, TileResult& result, StepSeconds& seconds);
 
   /// The last tile made, for other programs. REQUIRES: `tile` is that tile.
   ExportMesh exportMesh(const HeightTile& tile) const;
 
  private:
-  Status simplifyAndEncode(const HeightTile& tile, const LevelParams& level,
-                           const std::string& metadata, TileResult& result, StepSeconds& seconds);
-  void assemble(const HeightTile& tile, const std::string& metadata);
+  Status simplifyAndEncode(const HeightTile& tile, const LevelParams& level, const KeptTiles* kept,
+                           TileResult& result, StepSeconds& seconds);
+  void assemble(const HeightTile& tile, const KeptTiles* kept);
   void fillHeader(const GeoBox& box);
 
   std::unique_ptr<Simplifier> simplifier_;
-  bool normals_;
+  std::vector<std::unique_ptr<const ExtensionProvider>> extensions_;
   bool compress_;
   GzipCompressor gzip_;
   TileFrame frame_;

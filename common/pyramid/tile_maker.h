@@ -2,38 +2,37 @@
 // Copyright (c) 2026 the qmesh authors
 #pragma once
 
-#include <vector>
-
-#include "pyramid/build_shared.h"
+#include "pyramid/block_result.h"
+#include "pyramid/block_windows.h"
+#include "pyramid/run_context.h"
 #include "pyramid/tile_job.h"
 
 namespace qmesh {
 
-/// One thread's way from height tiles to files and statistics, the same for every border mode.
+/// One thread's way from height tiles to stored tiles and their statistics, the same for every
+/// border mode.
 class TileMaker {
  public:
-  explicit TileMaker(BuildShared& shared);
+  explicit TileMaker(const RunContext& context) : context_(context), job_(context.options()) {}
 
-  /// Makes and writes one of the plan's tiles, unless -x leaves it out.
-  Status make(const HeightTile& tile) { return make(tile, nullptr); }
+  /// Makes and stores one of the plan's tiles, unless it is not kept. Adds to `result`.
+  Status make(const HeightTile& tile, const KeptTiles& kept, BlockResult& result) {
+    return make(tile, kept, nullptr, result);
+  }
   /// The same under --border inherit, see TileJob::run().
-  Status make(const HeightTile& tile, Border& border) { return make(tile, &border); }
+  Status make(const HeightTile& tile, const KeptTiles& kept, Border& border, BlockResult& result) {
+    return make(tile, kept, &border, result);
+  }
 
-  /// Time spent by this thread since the last publish(), for the caller to add to.
-  StepSeconds& seconds() { return seconds_; }
-
-  /// Adds this thread's sums to the shared ones.
-  void publish();
+  /// Every tile of a block, finest level first; ends early when the run is stopped.
+  Status makeBlock(BlockWindows& windows, const KeptTiles& kept, BlockResult& result);
 
  private:
-  Status make(const HeightTile& tile, Border* border);
+  Status make(const HeightTile& tile, const KeptTiles& kept, Border* border, BlockResult& result);
 
-  BuildShared& shared_;
+  const RunContext& context_;
   TileJob job_;
-  TileResult result_;
-  std::vector<LevelStats> levels_;
-  StepSeconds seconds_{};
-  std::uint64_t contentHash_ = 0;
+  TileResult tile_;
 };
 
 } // namespace qmesh

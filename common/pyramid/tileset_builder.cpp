@@ -11,49 +11,50 @@ namespace qmesh {
 
 namespace {
 
-Status makeTiles(BuildShared& shared, const BlockPlan& blocks, const std::string& scratch,
-                 const Progress& progress) {
-  WorkTeam team(shared.stop, progress, [&] { shared.source.enterThread(); });
-  StageRunner stages(shared, blocks, team, scratch);
-  if (shared.options.border == BorderMode::inherit)
-    return InheritRunner(shared, blocks, team, stages).run();
+Status makeTiles(StageRunner& stages, const RunContext& context, const BlockPlan& blocks,
+                 WorkTeam& team) {
+  if (context.options().border == BorderMode::inherit)
+    return InheritRunner(context, blocks, team, stages).run();
   return stages.run();
 }
 
-BuildReport makeReport(const BuildShared& shared, const BlockPlan& blocks) {
-  const PyramidPlan& plan = shared.plan;
+BuildReport makeReport(const TilesetInput& input, const BlockPlan& blocks,
+                       const BlockResult& totals) {
+  const PyramidPlan& plan = input.plan;
   BuildReport report;
-  report.input = shared.options.input;
-  report.output = shared.options.output;
-  report.method = shared.options.method;
+  report.input = input.options.input;
+  report.output = input.options.output;
+  report.method = input.options.method;
   report.minZoom = plan.minZoom;
   report.maxZoom = plan.maxZoom;
   report.cellsPerTile = plan.cells;
   for (const LevelParams& level : plan.levels)
     report.maxErrors.push_back(level.maxError);
-  report.levels = shared.levels;
-  report.seconds = shared.seconds;
+  report.levels = totals.levels;
+  report.levels.resize(plan.levels.size());
+  report.seconds = totals.seconds;
   report.threads = blocks.threads;
   report.blockTiles = blocks.blockTiles;
-  report.contentHash = shared.contentHash;
-  report.anyData = shared.anyData;
+  report.contentHash = totals.contentHash;
+  report.anyData = totals.anyData;
   return report;
 }
 
-Result<BuildReport> buildAndCommit(BuildShared& shared, const BlockPlan& blocks,
-                                   const std::vector<SideFile>& sideFiles,
+Result<BuildReport> buildAndCommit(const TilesetInput& input, const BlockPlan& blocks,
+                                   BlockScheduler& scheduler, const TilesetOutput& output,
                                    const Progress& progress) {
   Stopwatch watch;
-  const auto scratch = shared.sink.scratchFolder();
-  if (!scratch.ok())
-    return scratch.status();
-  QMESH_RETURN_IF_ERROR(makeTiles(shared, blocks, *scratch, progress));
-  for (const SideFile& file : sideFiles) {
-    QMESH_RETURN_IF_ERROR(shared.sink.writeFile(file.first, file.second));
-  }
-  BuildReport report = makeReport(shared, blocks);
-  const LayerJson layer = layerRecord(shared.options, shared.plan, shared.written, report);
-  QMESH_RETURN_IF_ERROR(shared.sink.commit(writeLayerJson(layer)));
+  RunControl control;
+  const RunContext context{input, output.sink, control};
+  WorkTeam team(control.stop, progress, [&] { input.source.enterThread(); });
+  StageRunner stages(context, blocks, scheduler, team, output.scratch);
+  QMESH_RETURN_IF_ERROR(makeTiles(stages, context, blocks, team));
+  for (const SideFile& file : output.sideFiles)
+    QMESH_RETURN_IF_ERROR(output.sink.writeFile(file.first, file.second));
+  const BlockResult totals = stages.totals().get();
+  BuildReport report = makeReport(input, blocks, totals);
+  const LayerJson layer = layerRecord(input.options, input.plan, totals.kept, report);
+  QMESH_RETURN_IF_ERROR(output.sink.commit(writeLayerJson(layer)));
   report.wallSeconds = watch.lap();
   if (progress)
     progress(1);
@@ -62,13 +63,19 @@ Result<BuildReport> buildAndCommit(BuildShared& shared, const BlockPlan& blocks,
 
 } // namespace
 
-Result<BuildReport> buildTileset(const TilesetInput& input, const BlockPlan& blocks, TileSink& sink,
-                                 const std::vector<SideFile>& sideFiles, const Progress& progress) {
-  BuildShared shared(input, sink);
-  auto report = buildAndCommit(shared, blocks, sideFiles, progress);
+Result<BuildReport> buildTileset(const TilesetInput& input, const BlockPlan& blocks,
+                                 BlockScheduler& scheduler, const TilesetOutput& output,
+                                 const Progress& progress) {
+  auto report = buildAndCommit(input, blocks, scheduler, output, progress);
   if (!report.ok())
-    sink.abandon();
+    output.sink.abandon();
   return report;
+}
+
+Result<BuildReport> buildTileset(const TilesetInput& input, const BlockPlan& blocks,
+                                 const TilesetOutput& output, const Progress& progress) {
+  SequentialScheduler scheduler;
+  return buildTileset(input, blocks, scheduler, output, progress);
 }
 
 } // namespace qmesh

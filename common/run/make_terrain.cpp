@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <thread>
 
-#include "sink/directory_sink.h"
-#include "sink/zip_sink.h"
+#include "sink/mesh_files.h"
+#include "sink/sink_types.h"
 #include "source/raster_source.h"
 
 namespace qmesh {
@@ -36,8 +36,21 @@ Result<TerrainPlan> planTerrain(const BuildOptions& options, GDALDataset* host,
   return plan;
 }
 
-Result<std::unique_ptr<TileSink>> openTerrainSink(const BuildOptions& options) {
-  return isZipPath(options.output) ? openZipSink(options) : openDirectorySink(options);
+Result<TerrainOutput> openOutput(const BuildOptions& options) {
+  auto opened = openSink(options);
+  if (!opened.ok())
+    return opened.status();
+  auto scratch = ScratchFolder::make(opened->workFolder);
+  if (!scratch.ok())
+    return scratch.status();
+  return TerrainOutput{std::move(opened->sink), *std::move(scratch)};
+}
+
+Result<BuildReport> makeTerrain(const BuildOptions& options, const TerrainPlan& plan,
+                                TerrainOutput& output, const std::vector<SideFile>& sideFiles,
+                                const Progress& progress) {
+  return buildTileset({options, plan.pyramid, *plan.source, meshFiles(options)}, plan.blocks,
+                      {*output.sink, output.scratch.path(), sideFiles}, progress);
 }
 
 } // namespace qmesh

@@ -8,8 +8,8 @@
 
 #include "base/status.h"
 #include "options/build_options.h"
-#include "pyramid/block_plan.h"
-#include "sink/tile_sink.h"
+#include "pyramid/tileset_builder.h"
+#include "vsi/scratch_folder.h"
 
 class GDALDataset;
 
@@ -22,15 +22,22 @@ struct TerrainPlan {
   BlockPlan blocks;
 };
 
-/// Everything that can be found out before the work, the same for every door: opens the input of
-/// `options`, or uses `host` (see openRasterSource), and plans. GDAL's block cache is left alone;
-/// blocks.cacheBytes is what --memory has for it. `warnings` gets sentences.
+/// Everything that can be found out before the work: opens the input of `options`, or uses `host`
+/// (see openRasterSource), and plans. GDAL's block cache is left alone; blocks.cacheBytes is what
+/// --memory has for it. `warnings` gets sentences.
 Result<TerrainPlan> planTerrain(const BuildOptions& options, GDALDataset* host,
                                 std::vector<std::string>& warnings);
 
-/// The place options.output names, checked and ready: with it and the plan buildTileset() does the
-/// work. A zip archive where the name is below /vsizip/ (zip_sink.h), else a folder
-/// (directory_sink.h).
-Result<std::unique_ptr<TileSink>> openTerrainSink(const BuildOptions& options);
+/// The output that the options name, checked and ready.
+struct TerrainOutput {
+  std::unique_ptr<TileSink> sink;
+  ScratchFolder scratch;
+};
+Result<TerrainOutput> openOutput(const BuildOptions& options);
+
+/// Makes the tileset and puts it in place, as buildTileset(); meshes for --debug-meshes as well.
+Result<BuildReport> makeTerrain(const BuildOptions& options, const TerrainPlan& plan,
+                                TerrainOutput& output, const std::vector<SideFile>& sideFiles,
+                                const Progress& progress);
 
 } // namespace qmesh

@@ -43,7 +43,8 @@ class DirectorySink : public TileSink {
   Status writeFile(const std::string& name, const std::string& text) override;
   Status commit(const std::string& layerJson) override;
   void abandon() override;
-  Result<std::string> scratchFolder() override;
+
+  const std::string& workFolder() const { return hidden_; }
 
  private:
   Status takeFolder();
@@ -59,7 +60,6 @@ class DirectorySink : public TileSink {
   FolderLock lock_;
   std::mutex mutex_; ///< guards what follows
   std::vector<std::string> files_;
-  std::string scratch_;
 };
 
 Status DirectorySink::open(bool overwrite) {
@@ -140,8 +140,6 @@ void DirectorySink::abandon() {
 void DirectorySink::close() {
   open_ = false;
   QuietErrors errors;
-  if (!scratch_.empty())
-    removeTree(scratch_);
   if (!keepHidden_)
     for (const std::string& name : listFolder(hidden_))
       if (name != kLockFileName)
@@ -154,23 +152,14 @@ void DirectorySink::close() {
     VSIRmdir(made_.back().c_str());
 }
 
-Result<std::string> DirectorySink::scratchFolder() {
-  const std::lock_guard<std::mutex> guard(mutex_);
-  if (!scratch_.empty())
-    return scratch_;
-  Result<std::string> made = makeScratchFolder(hidden_);
-  if (made.ok())
-    scratch_ = *made;
-  return made;
-}
-
 } // namespace
 
-Result<std::unique_ptr<TileSink>> openDirectorySink(const BuildOptions& options) {
+Result<OpenedSink> openDirectorySink(const BuildOptions& options) {
   auto sink = std::make_unique<DirectorySink>(cleanPath(options.output), options.xyz);
   QuietErrors errors;
   QMESH_RETURN_IF_ERROR(sink->open(options.overwrite));
-  return std::unique_ptr<TileSink>(std::move(sink));
+  std::string workFolder = sink->workFolder();
+  return OpenedSink{std::move(sink), std::move(workFolder)};
 }
 
 } // namespace qmesh

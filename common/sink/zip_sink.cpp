@@ -3,7 +3,6 @@
 #include "sink/zip_sink.h"
 
 #include <algorithm>
-#include <mutex>
 
 #include <cpl_conv.h>
 #include <cpl_string.h>
@@ -134,7 +133,8 @@ class ZipSink : public TileSink {
   }
   Status commit(const std::string& layerJson) override;
   void abandon() override;
-  Result<std::string> scratchFolder() override;
+
+  const std::string& workFolder() const { return work_; }
 
  private:
   std::string newFolder() const { return work_ + "/new"; }
@@ -145,8 +145,6 @@ class ZipSink : public TileSink {
   bool xyz_;
   bool open_ = false;
   FolderLock lock_;
-  std::mutex mutex_; ///< guards scratch_
-  std::string scratch_;
   std::vector<std::string> made_; ///< folders that were not there, the outermost first
 };
 
@@ -205,8 +203,6 @@ void ZipSink::abandon() {
     return;
   open_ = false;
   QuietErrors errors;
-  if (!scratch_.empty())
-    removeTree(scratch_);
   for (const std::string& name : listFolder(work_))
     if (name != kLockFileName)
       removeTree(work_ + "/" + name);
@@ -216,30 +212,21 @@ void ZipSink::abandon() {
     VSIRmdir(made_.back().c_str());
 }
 
-Result<std::string> ZipSink::scratchFolder() {
-  const std::lock_guard<std::mutex> guard(mutex_);
-  if (!scratch_.empty())
-    return scratch_;
-  Result<std::string> made = makeScratchFolder(work_);
-  if (made.ok())
-    scratch_ = *made;
-  return made;
-}
-
 } // namespace
 
 bool isZipPath(const std::string& path) {
   return path.rfind(kPrefix, 0) == 0;
 }
 
-Result<std::unique_ptr<TileSink>> openZipSink(const BuildOptions& options) {
+Result<OpenedSink> openZipSink(const BuildOptions& options) {
   Result<ZipName> name = parseZipName(options.output);
   if (!name.ok())
     return name.status();
   auto sink = std::make_unique<ZipSink>(*std::move(name), options.xyz);
   QuietErrors errors;
   QMESH_RETURN_IF_ERROR(sink->open(options.overwrite));
-  return std::unique_ptr<TileSink>(std::move(sink));
+  std::string workFolder = sink->workFolder();
+  return OpenedSink{std::move(sink), std::move(workFolder)};
 }
 
 } // namespace qmesh

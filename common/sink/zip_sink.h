@@ -2,7 +2,6 @@
 // Copyright (c) 2026 the qmesh authors
 #pragma once
 
-#include <memory>
 #include <string>
 
 #include "base/status.h"
@@ -21,6 +20,6 @@ bool isZipPath(const std::string& path);
 /// Compressed tiles are stored as they are. The archive takes its name when it is complete. Found
 /// before any work, all Code::output: an archive that is there without --overwrite, one with files
 /// that are not of a set, one that another run is making, a folder that cannot be written.
-Result<std::unique_ptr<TileSink>> openZipSink(const BuildOptions& options);
+Result<OpenedSink> openZipSink(const BuildOptions& options);
 
 } // namespace qmesh

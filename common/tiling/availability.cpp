@@ -69,6 +69,12 @@ void Availability::add(int zoom, const TileRange& range) {
   }
 }
 
+void Availability::add(const Availability& other) {
+  for (int zoom = 0; zoom <= other.maxZoom(); ++zoom)
+    for (const TileRange& range : other.ranges(zoom))
+      add(zoom, range);
+}
+
 bool Availability::contains(TileId tile) const {
   const Row* row = findRow(tile.z, tile.y);
   if (!row)

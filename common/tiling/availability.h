@@ -35,6 +35,7 @@ class Availability {
   /// Adds one tile (again is harmless).
   void add(TileId tile);
   void add(int zoom, const TileRange& range);
+  void add(const Availability& other);
 
   bool contains(TileId tile) const;
   /// Deepest level with a tile, -1 when empty.

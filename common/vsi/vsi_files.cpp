@@ -136,17 +136,4 @@ void removeTree(const std::string& path) {
   VSIRmdir(path.c_str());
 }
 
-Result<std::string> makeScratchFolder(const std::string& work) {
-  if (isLocalPath(work)) {
-    QMESH_RETURN_IF_ERROR(makeFolders(work + "/scratch"));
-    return work + "/scratch";
-  }
-  std::string name =
-      std::string(CPLGetConfigOption("CPL_TMPDIR", CPLGetConfigOption("TMPDIR", "/tmp"))) +
-      "/qmesh-XXXXXX";
-  if (!mkdtemp(name.data()))
-    return outputError("no temporary folder '" + name + "' can be made", errno);
-  return name;
-}
-
 } // namespace qmesh

@@ -35,10 +35,6 @@ Status renamePath(const std::string& from, const std::string& to);
 /// Removes a file, or a folder with all that is in it; what cannot be removed stays.
 void removeTree(const std::string& path);
 
-/// Makes a folder on a local disk for temporary files: WORK/scratch where WORK is local, else a new
-/// one where GDAL or the system have theirs (CPL_TMPDIR, TMPDIR, /tmp). Code::output.
-Result<std::string> makeScratchFolder(const std::string& work);
-
 /// Code::output: `sentence` and the reason errno gives.
 Status outputError(const std::string& sentence, int error);
 

@@ -12,9 +12,7 @@
 #include "console/interrupt.h"
 #include "preview.h"
 #include "pyramid/estimate.h"
-#include "pyramid/tileset_builder.h"
 #include "run/make_terrain.h"
-#include "sink/mesh_files.h"
 #include "summary.h"
 
 namespace qmesh {
@@ -75,15 +73,14 @@ Status dryRun(const BuildOptions& options, const TerrainPlan& plan, Console& con
 Status build(const BuildOptions& options, const TerrainPlan& plan, Console& console) {
   if (!options.report.empty())
     QMESH_RETURN_IF_ERROR(checkReport(options));
-  const auto sink = openTerrainSink(options);
-  if (!sink.ok())
-    return sink.status();
+  auto output = openOutput(options);
+  if (!output.ok())
+    return output.status();
   console.message(startLine(options, plan.pyramid, plan.blocks));
-  const auto report = buildTileset({options, plan.pyramid, *plan.source, meshFiles(options)},
-                                   plan.blocks, **sink, sideFiles(options), [&](double done) {
-                                     console.progress(done);
-                                     return !stopRequested();
-                                   });
+  const auto report = makeTerrain(options, plan, *output, sideFiles(options), [&](double done) {
+    console.progress(done);
+    return !stopRequested();
+  });
   if (!report.ok())
     return report.status();
   if (!options.cesium.empty())

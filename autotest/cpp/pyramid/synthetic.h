@@ -115,7 +115,7 @@ class Sink : public TileSink {
     return writeFile("layer.json", layerJson);
   }
   void abandon() override { abandoned = true; }
-  Result<std::string> scratchFolder() override { return folder_; }
+  const std::string& scratch() const { return folder_; }
 
  private:
   std::mutex mutex_;
@@ -140,7 +140,7 @@ inline BuildReport build(const BuildOptions& options, const Source& source, Sink
   EXPECT_TRUE(blocks.ok()) << blocks.status().message();
   if (change)
     change(*blocks);
-  auto report = buildTileset({options, *plan, source}, *blocks, sink, {}, {});
+  auto report = buildTileset({options, *plan, source}, *blocks, {sink, sink.scratch()}, {});
   EXPECT_TRUE(report.ok()) << report.status().message();
   return *report;
 }

@@ -163,7 +163,7 @@ class OneByOne {
     TileResult result;
     StepSeconds seconds{};
     const LevelParams& level = plan_.levels[std::size_t(id.z)];
-    ASSERT_TRUE(job_.run(window.tile(id), level, "", border, result, seconds).ok());
+    ASSERT_TRUE(job_.run(window.tile(id), level, nullptr, border, result, seconds).ok());
     files_[Sink::nameOf(id)] = result.bytes;
     for (const Edge edge : {kWest, kSouth, kEast, kNorth})
       edges_[nameOf(id, edge)] = border[edge];
@@ -209,8 +209,8 @@ TEST(Inherit, StopsWhenTheUserSaysSo) {
   const auto plan = planPyramid(options, source);
   const auto blocks = planBlocks(options, *plan, source.bytesPerSource(), 1);
   Sink sink;
-  const auto report =
-      buildTileset({options, *plan, source}, *blocks, sink, {}, [](double) { return false; });
+  const auto report = buildTileset({options, *plan, source}, *blocks, {sink, sink.scratch()},
+                                   [](double) { return false; });
   // The run may be over before it is asked for the first time; then nothing is to be stopped.
   if (!report.ok()) {
     EXPECT_EQ(report.status().code(), Code::interrupted);
@@ -228,7 +228,7 @@ TEST(Inherit, AFullDiskIsSaid) {
   const auto blocks = planBlocks(options, *plan, source.bytesPerSource(), 1);
   Sink sink;
   sink.failAfter = 9;
-  const auto report = buildTileset({options, *plan, source}, *blocks, sink, {}, {});
+  const auto report = buildTileset({options, *plan, source}, *blocks, {sink, sink.scratch()}, {});
   ASSERT_FALSE(report.ok());
   EXPECT_EQ(report.status().code(), Code::output);
   EXPECT_TRUE(sink.abandoned);

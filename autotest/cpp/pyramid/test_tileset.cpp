@@ -167,14 +167,14 @@ TEST(Tileset, InterruptAndFailureAbandonTheSink) {
   const auto blocks = planBlocks(options, *plan, source.bytesPerSource(), 2);
   Sink failing;
   failing.failAfter = 5;
-  auto report = buildTileset({options, *plan, source}, *blocks, failing, {}, {});
+  auto report = buildTileset({options, *plan, source}, *blocks, {failing, failing.scratch()}, {});
   EXPECT_EQ(report.status().code(), Code::output);
   EXPECT_TRUE(failing.abandoned);
   EXPECT_FALSE(failing.committed);
 
   Sink stopped;
-  report =
-      buildTileset({options, *plan, source}, *blocks, stopped, {}, [](double) { return false; });
+  report = buildTileset({options, *plan, source}, *blocks, {stopped, stopped.scratch()},
+                        [](double) { return false; });
   EXPECT_EQ(report.status().code(), Code::interrupted);
   EXPECT_TRUE(stopped.abandoned);
   EXPECT_FALSE(stopped.committed);
@@ -189,12 +189,13 @@ TEST(Tileset, ProgressNeverGoesBack) {
     const auto blocks = planBlocks(options, *plan, source.bytesPerSource(), 2);
     Sink sink;
     double last = 0;
-    const auto report = buildTileset({options, *plan, source}, *blocks, sink, {}, [&](double done) {
-      EXPECT_GE(done, last);
-      EXPECT_LE(done, 1);
-      last = done;
-      return true;
-    });
+    const auto report =
+        buildTileset({options, *plan, source}, *blocks, {sink, sink.scratch()}, [&](double done) {
+          EXPECT_GE(done, last);
+          EXPECT_LE(done, 1);
+          last = done;
+          return true;
+        });
     ASSERT_TRUE(report.ok());
     EXPECT_EQ(last, 1);
   }

@@ -20,6 +20,7 @@
 
 #include "sink/directory_sink.h"
 #include "sink/set_swap.h"
+#include "vsi/scratch_folder.h"
 #include "vsi/vsi_files.h"
 
 namespace {
@@ -51,9 +52,12 @@ class DirectorySinkTest : public testing::Test {
   ~DirectorySinkTest() override { fs::remove_all(base_); }
 
   std::unique_ptr<TileSink> open() {
-    auto sink = openDirectorySink(options_);
-    EXPECT_TRUE(sink.ok()) << sink.status().message();
-    return sink.ok() ? *std::move(sink) : nullptr;
+    auto opened = openDirectorySink(options_);
+    EXPECT_TRUE(opened.ok()) << opened.status().message();
+    if (!opened.ok())
+      return nullptr;
+    workFolder_ = opened->workFolder;
+    return std::move(opened->sink);
   }
   Status refusal() {
     auto sink = openDirectorySink(options_);
@@ -129,6 +133,7 @@ class DirectorySinkTest : public testing::Test {
 
   fs::path base_;
   BuildOptions options_;
+  std::string workFolder_; ///< of the sink opened last
 };
 
 TEST_F(DirectorySinkTest, NothingIsVisibleBeforeCommit) {
@@ -137,9 +142,9 @@ TEST_F(DirectorySinkTest, NothingIsVisibleBeforeCommit) {
   writeNewSet(*sink);
   for (const auto& entry : fs::directory_iterator(options_.output))
     EXPECT_EQ(".qmesh-build", entry.path().filename());
-  const auto scratch = sink->scratchFolder();
+  const auto scratch = ScratchFolder::make(workFolder_);
   ASSERT_TRUE(scratch.ok());
-  std::ofstream(*scratch + "/work") << "temporary";
+  std::ofstream(scratch->path() + "/work") << "temporary";
   ASSERT_TRUE(sink->commit("new layer").ok());
   EXPECT_EQ((std::map<std::string, std::string>{{"layer.json", "new layer"},
                                                 {"0/0/0.terrain", "new"},
@@ -177,7 +182,7 @@ TEST_F(DirectorySinkTest, AbandonLeavesNoTrace) {
   {
     auto sink = open();
     writeNewSet(*sink);
-    (void)sink->scratchFolder().ok();
+    EXPECT_TRUE(ScratchFolder::make(workFolder_).ok());
     sink->abandon();
   }
   EXPECT_TRUE(fs::is_empty(base_)) << "the folder was ours";
@@ -274,7 +279,7 @@ TEST_F(DirectorySinkTest, WhatAKilledRunLeftIsRemoved) {
     if (child == 0) {
       auto sink = openDirectorySink(options_);
       if (sink.ok())
-        (void)(*sink)->writeTile({0, 0, 0}, bytes("half")).ok();
+        (void)sink->sink->writeTile({0, 0, 0}, bytes("half")).ok();
       kill(getpid(), SIGKILL);
     }
     int state = 0;
@@ -312,9 +317,9 @@ TEST_F(DirectorySinkTest, KilledAtAnyStepOfTheSwap) {
       auto sink = openDirectorySink(options_);
       if (!sink.ok())
         _exit(3);
-      writeNewSet(**sink);
+      writeNewSet(*sink->sink);
       renamesLeft = steps;
-      _exit((*sink)->commit("new layer").ok() ? 0 : 4);
+      _exit(sink->sink->commit("new layer").ok() ? 0 : 4);
     }
     int state = 0;
     waitpid(child, &state, 0);
@@ -372,8 +377,8 @@ TEST_F(DirectorySinkTest, AFullDiskIsAnErrorThatNamesTheFile) {
       auto sink = openDirectorySink(options_);
       const rlimit limit{10000, 10000};
       setrlimit(RLIMIT_FSIZE, &limit);
-      const bool small = (*sink)->writeTile({0, 0, 0}, std::vector<std::uint8_t>(9000)).ok();
-      const Status status = (*sink)->writeTile({0, 1, 0}, std::vector<std::uint8_t>(20000));
+      const bool small = sink->sink->writeTile({0, 0, 0}, std::vector<std::uint8_t>(9000)).ok();
+      const Status status = sink->sink->writeTile({0, 1, 0}, std::vector<std::uint8_t>(20000));
       const bool named = status.message().find("0/1/0.terrain") != std::string::npos &&
                          status.message().find("too large") != std::string::npos;
       result = small && status.code() == Code::output && named ? 0 : 2;
@@ -391,11 +396,15 @@ TEST_F(DirectorySinkTest, WritesIntoGdalsMemory) {
   auto sink = open();
   ASSERT_TRUE(sink);
   writeNewSet(*sink);
-  const auto scratch = sink->scratchFolder();
-  ASSERT_TRUE(scratch.ok());
-  EXPECT_TRUE(fs::is_directory(*scratch)) << "on a local disk";
-  ASSERT_TRUE(sink->commit("new layer").ok());
-  EXPECT_FALSE(fs::exists(*scratch));
+  std::string scratchPath;
+  {
+    const auto scratch = ScratchFolder::make(workFolder_);
+    ASSERT_TRUE(scratch.ok());
+    scratchPath = scratch->path();
+    EXPECT_TRUE(fs::is_directory(scratchPath)) << "on a local disk";
+    ASSERT_TRUE(sink->commit("new layer").ok());
+  }
+  EXPECT_FALSE(fs::exists(scratchPath));
   VSIStatBufL info;
   for (const char* name : {"layer.json", "0/0/0.terrain", "1/2/0.terrain", "Cesium/Build/x.js"})
     EXPECT_EQ(0, VSIStatL((options_.output + "/" + name).c_str(), &info)) << name;
