@@ -95,7 +95,7 @@ def main():
             folder = pathlib.Path(scratch) / file
             rows, milliseconds, said = compare(data / file, folder, "--tilesize", CELLS)
             tile = re.search(r"tile (\S+),", said).group(1)
-            text += [f"### {title}", "", f"Tile {tile} of `{file}`, {CELLS} cells an edge.", ""]
+            text += [f"### {title}", "", f"Tile {tile} of `{file}`, {CELLS} cells per edge.", ""]
             for target in ("count", "error", "defaults"):
                 text += [f"**Methods {TITLES[target]}** (errors in metres, angles in degrees)", ""]
                 text += table(rows, milliseconds, target) + [""]
