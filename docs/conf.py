@@ -31,6 +31,6 @@ html_copy_source = False
 html_show_sphinx = False
 
 man_pages = [
-    ("gdal2qmesh", "gdal2qmesh", "DEM rasters to quantized-mesh terrain", author, 1),
-    ("qmeshinfo", "qmeshinfo", "describe, validate and measure quantized-mesh terrain", author, 1),
+    ("gdal2qmesh", "gdal2qmesh", "convert a DEM to a Cesium quantized-mesh tileset", author, 1),
+    ("qmeshinfo", "qmeshinfo", "describe, validate and measure quantized-mesh tilesets", author, 1),
 ]
