@@ -44,8 +44,8 @@ def main():
     parser.add_argument("--per-spacing", action="store_true", help="the parameter is a multiple of max error / node spacing")
     parser.add_argument("--tilesize", type=int, default=256)
     arguments = parser.parse_args()
-    print("| DEM, zooms | parameter / max error | triangles / greedy's, by zoom | rms error / greedy's | "
-          "largest error / max error |")
+    print("| DEM, zooms | parameter relative to max error | triangles relative to greedy, by zoom "
+          "| rms error relative to greedy | largest error relative to max error |")
     print("|---|---|---|---|---|")
     for dem, zooms in DEMS.items():
         source = arguments.data / f"{dem}.tif"

@@ -49,7 +49,7 @@ def plot(rows, path):
         pixels = [row["pixels"] for row in mine]
         for axes, value in ((left, "triangles"), (right, "bytes")):
             axes.plot(pixels, [row[value] / row["tiles"] for row in mine], marker="o", markersize=3.5, label=dem)
-    for axes, label in ((left, "triangles a tile"), (right, "bytes a tile")):
+    for axes, label in ((left, "triangles per tile"), (right, "bytes per tile")):
         axes.set(xscale="log", yscale="log", xlabel="--screen-error, pixels", ylabel=label)
         axes.set_xticks(PIXELS, [f"{p:g}" for p in PIXELS])
         axes.minorticks_off()

@@ -42,8 +42,8 @@ def main():
     parser.add_argument("--bin", default="build/bin/gdal2qmesh")
     parser.add_argument("dems", nargs="+", metavar="DEM")
     args = parser.parse_args()
-    print("| DEM | method | triangles / greedy's | rms error / greedy's | the same without features "
-          "| s a tile |")
+    print("| DEM | method | triangles relative to greedy | rms error relative to greedy | the same without features "
+          "| s per tile |")
     print("|---|---|---|---|---|---|")
     for dem in args.dems:
         greedy = run(args.bin, dem, [])
