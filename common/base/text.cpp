@@ -77,6 +77,13 @@ std::optional<std::int64_t> parseInteger(std::string_view text) {
   return parseWhole<std::int64_t>(text);
 }
 
+std::optional<std::uint32_t> parseNumberBelow(std::string_view text, std::int64_t end) {
+  const bool digits = !text.empty() && text.find_first_not_of("0123456789") == text.npos;
+  const auto number = digits ? parseInteger(text) : std::nullopt;
+  return number && *number < end ? std::optional<std::uint32_t>(std::uint32_t(*number))
+                                 : std::nullopt;
+}
+
 std::string formatNumber(double value) {
   constexpr double kFixedBelow = 1e15;
   std::array<char, 32> buffer;

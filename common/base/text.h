@@ -18,6 +18,9 @@ std::optional<double> parseNumber(std::string_view text);
 /// The whole of `text` as a decimal whole number; nothing where it is not one or does not fit.
 std::optional<std::int64_t> parseInteger(std::string_view text);
 
+/// A whole number of digits alone, below `end`, which is at most 2^32.
+std::optional<std::uint32_t> parseNumberBelow(std::string_view text, std::int64_t end);
+
 /// The shortest text that parseNumber() turns into `value` again; whole numbers below 1e15 without
 /// an exponent.
 std::string formatNumber(double value);

@@ -12,7 +12,8 @@
 
 namespace qmesh {
 
-/// Where a tileset goes. writeTile is called from many threads at once.
+/// Where a tileset goes; TileReader (tileset/tile_reader.h) reads it back. writeTile is called from
+/// many threads at once.
 class TileSink {
  public:
   virtual ~TileSink() = default;

@@ -8,15 +8,11 @@
 #include "codec/decode.h"
 #include "codec/gzip.h"
 #include "codec/metadata.h"
-#include "vsi/vsi_files.h"
 
 namespace qmesh {
 namespace {
 
 constexpr std::size_t kMaxLayer = std::size_t(256) << 20; ///< bytes
-/// A mesh of all 1025 x 1025 nodes with all extensions has less than 40 MB.
-constexpr std::size_t kMaxTile = std::size_t(128) << 20; ///< bytes
-
 using Levels = std::vector<std::vector<TileRange>>;
 
 bool contains(const std::vector<std::string>& words, const char* word) {
@@ -36,14 +32,6 @@ Result<LayerJson> parseLayer(const std::string& path, std::vector<std::uint8_t> 
   }
   Result<LayerJson> layer = readLayerJson(std::string(bytes.begin(), bytes.end()));
   return layer.ok() ? std::move(layer) : Result<LayerJson>(about(path, layer.status()));
-}
-
-/// A name that is a whole number below `end`, and nothing else.
-std::optional<std::uint32_t> numberIn(std::string_view name, std::int64_t end) {
-  const bool digits = !name.empty() && name.find_first_not_of("0123456789") == name.npos;
-  const auto number = digits ? parseInteger(name) : std::nullopt;
-  return number && *number < end ? std::optional<std::uint32_t>(std::uint32_t(*number))
-                                 : std::nullopt;
 }
 
 std::string_view withoutExtension(std::string_view name) {
@@ -70,9 +58,9 @@ std::optional<TilePlace> placeOf(const std::string& path) {
   const std::string_view y = withoutExtension(takeName(rest));
   const std::string_view x = takeName(rest);
   const std::string_view z = takeName(rest);
-  const auto zoom = numberIn(z, kMaxZoom + 1);
-  const auto column = numberIn(x, std::int64_t(1) << (kMaxZoom + 1));
-  const auto row = numberIn(y, std::int64_t(1) << kMaxZoom);
+  const auto zoom = parseNumberBelow(z, kMaxZoom + 1);
+  const auto column = parseNumberBelow(x, std::int64_t(1) << (kMaxZoom + 1));
+  const auto row = parseNumberBelow(y, std::int64_t(1) << kMaxZoom);
   if (!zoom || !column || !row)
     return std::nullopt;
   return TilePlace{{int(*zoom), *column, *row}, rest.empty() ? "." : std::string(rest)};
@@ -81,7 +69,8 @@ std::optional<TilePlace> placeOf(const std::string& path) {
 } // namespace
 
 TerrainSet::TerrainSet(std::string layerPath, LayerJson layer)
-    : layerPath_(std::move(layerPath)), layer_(std::move(layer)), address_(layerPath_, layer_) {}
+    : layerPath_(std::move(layerPath)), layer_(std::move(layer)),
+      reader_(openTileReader(layerPath_, layer_)) {}
 
 Result<TerrainSet> TerrainSet::open(const std::string& path) {
   Result<TerrainSet> set = fromLayer(layerJsonPath(path));
@@ -126,10 +115,8 @@ Result<TerrainSet> TerrainSet::openTile(const std::string& path) {
   if (set->layer_.slippyMap)
     tile.y = scheme.tilesY(tile.z) - 1 - tile.y;
   set->single_ = tile;
-  set->singlePath_ = path;
-  Levels levels(std::size_t(tile.z) + 1);
-  levels.back().push_back({tile.x, tile.y, tile.x, tile.y});
-  Result<ListedTiles> listed = ListedTiles::of(levels);
+  set->reader_ = openSingleTile(tile, path, set->reader_);
+  Result<ListedTiles> listed = ListedTiles::of(set->reader_->listTiles());
   set->available_ = std::move(*listed);
   return set;
 }
@@ -138,8 +125,8 @@ Status TerrainSet::findTiles() {
   Levels levels = layer_.available;
   if (levels.empty() && layer_.metadataAvailability > 0)
     QMESH_RETURN_IF_ERROR(learnFromRoots(levels));
-  else if (levels.empty() && address_.plainFolders())
-    learnFromFolders(levels);
+  else if (levels.empty())
+    levels = reader_->listTiles();
   Result<ListedTiles> listed = ListedTiles::of(levels);
   if (!listed.ok())
     return about(layerPath_, listed.status());
@@ -168,29 +155,6 @@ Status TerrainSet::learnFromRoots(Levels& levels) const {
   return {};
 }
 
-void TerrainSet::learnFromFolders(Levels& levels) const {
-  Availability found;
-  for (const std::string& z : listFolder(address_.folder())) {
-    const auto zoom = numberIn(z, kMaxZoom + 1);
-    if (!zoom)
-      continue;
-    const std::string zoomFolder = address_.folder() + "/" + z;
-    for (const std::string& x : listFolder(zoomFolder)) {
-      const auto column = numberIn(x, scheme().tilesX(int(*zoom)));
-      if (!column)
-        continue;
-      for (const std::string& name : listFolder(zoomFolder + "/" + x)) {
-        const std::uint32_t rows = scheme().tilesY(int(*zoom));
-        const auto row = numberIn(withoutExtension(name), rows);
-        if (row && name == std::to_string(*row) + ".terrain")
-          found.add({int(*zoom), *column, layer_.slippyMap ? rows - 1 - *row : *row});
-      }
-    }
-  }
-  for (int zoom = 0; zoom <= found.maxZoom(); ++zoom)
-    levels.push_back(found.ranges(zoom));
-}
-
 /// CesiumJS: only the old name alone means the old byte order.
 ExtensionLengths TerrainSet::extensionLengths() const {
   const bool old = contains(layer_.extensions, "vertexnormals") &&
@@ -208,11 +172,11 @@ int TerrainSet::maxZoom() const {
 }
 
 std::string TerrainSet::tilePath(TileId tile) const {
-  return single_ && *single_ == tile ? singlePath_ : address_.of(tile);
+  return reader_->pathOf(tile);
 }
 
 Result<FileBytes> TerrainSet::readBytes(TileId tile) const {
-  return readWholeFile(tilePath(tile), kMaxTile);
+  return reader_->readTile(tile);
 }
 
 Result<std::optional<TileMesh>> TerrainSet::readTile(TileId tile) const {
@@ -232,7 +196,7 @@ Result<TileMesh> TerrainSet::decode(TileId tile, const std::vector<std::uint8_t>
   Result<TileMesh> mesh = [&]() -> Result<TileMesh> {
     if (!isGzip(bytes.data(), bytes.size()))
       return decodeTile(bytes.data(), bytes.size(), lengths);
-    const auto unpacked = gunzip(bytes.data(), bytes.size(), kMaxTile);
+    const auto unpacked = gunzip(bytes.data(), bytes.size(), kMaxTileBytes);
     if (!unpacked.ok())
       return unpacked.status();
     return decodeTile(unpacked->data(), unpacked->size(), lengths);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,8 +13,8 @@
 #include "codec/layer_json.h"
 #include "codec/tile_mesh.h"
 #include "tileset/tile_address.h"
+#include "tileset/tile_reader.h"
 #include "tiling/listed_tiles.h"
-#include "vsi/vsi_read.h"
 
 namespace qmesh {
 
@@ -69,14 +70,12 @@ class TerrainSet {
   static Result<TerrainSet> fromLayer(const std::string& layerPath);
   Status findTiles();
   Status learnFromRoots(std::vector<std::vector<TileRange>>& levels) const;
-  void learnFromFolders(std::vector<std::vector<TileRange>>& levels) const;
 
   std::string layerPath_;
   LayerJson layer_;
-  TileAddress address_;
+  std::shared_ptr<const TileReader> reader_;
   ListedTiles available_;
   std::optional<TileId> single_;
-  std::string singlePath_;
   bool listedInTiles_ = false;
 };
 
