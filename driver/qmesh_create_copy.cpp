@@ -97,23 +97,23 @@ Status ReadOptions(const char *pszFilename, GDALDataset *poSrcDS, CSLConstList p
         return oAssignments.status();
     ApplyThreadFallback(*oAssignments, oOptions);
     QMESH_RETURN_IF_ERROR(qmesh::applyAssignments(*oAssignments, oOptions));
-    oOptions.output = QMESHFolderOf(pszFilename);
-    oOptions.input = HasName(poSrcDS) ? poSrcDS->GetDescription() : pszUnnamed;
-    if (!HasName(poSrcDS) && oOptions.title.empty())
-        oOptions.title = BaseName(oOptions.output);
+    oOptions.output.path = QMESHFolderOf(pszFilename);
+    oOptions.input.path = HasName(poSrcDS) ? poSrcDS->GetDescription() : pszUnnamed;
+    if (!HasName(poSrcDS) && oOptions.output.title.empty())
+        oOptions.output.title = BaseName(oOptions.output.path);
     return qmesh::validate(oOptions, aosWarnings);
 }
 
 /// An existing set is replaced; anything else that is not empty is refused.
 Status CheckOutput(qmesh::BuildOptions &oOptions)
 {
-    if (oOptions.output.empty())
+    if (oOptions.output.path.empty())
         return {Code::usage, "the output has no name; name a folder"};
-    oOptions.overwrite =
-        qmesh::isTerrainSet(oOptions.output) || QMESHHasJustDeleted(oOptions.output);
-    if (!oOptions.overwrite && qmesh::isFolder(oOptions.output) &&
-        qmesh::holdsFiles(oOptions.output))
-        return {Code::output, "'" + oOptions.output +
+    oOptions.output.overwrite =
+        qmesh::isTerrainSet(oOptions.output.path) || QMESHHasJustDeleted(oOptions.output.path);
+    if (!oOptions.output.overwrite && qmesh::isFolder(oOptions.output.path) &&
+        qmesh::holdsFiles(oOptions.output.path))
+        return {Code::output, "'" + oOptions.output.path +
                                   "' is not empty and holds no quantized-mesh set that could be "
                                   "replaced; name another folder"};
     return {};
@@ -143,7 +143,7 @@ Status Build(const char *pszFilename, GDALDataset *poSrcDS, CSLConstList papszOp
     const auto oReport = qmesh::makeTerrain(oOptions, *oPlan, *oOutput, {}, oProgress);
     if (!oReport.ok())
         return oReport.status();
-    qmesh::removeNotes(oOptions.output);
+    qmesh::removeNotes(oOptions.output.path);
     for (const std::string &osWarning : qmesh::reportWarnings(*oReport))
         QMESHReportWarning(osWarning);
     return {};

@@ -53,11 +53,11 @@ std::string makeRaster(const char* srsText, std::array<double, 6> transform) {
 /// Samples 4 x 4 tiles inside the raster in one window a round.
 void sampleTiles(benchmark::State& state, const std::string& path, double lon, double lat,
                  Resampling kernel) {
-  BuildOptions options;
-  options.input = path;
+  InputOptions options;
+  options.path = path;
   options.resampling = kernel;
   std::vector<std::string> warnings;
-  const auto factory = openRasterSource(options, warnings);
+  const auto factory = openRasterSource(options, {}, warnings);
   if (!factory.ok())
     return state.SkipWithError(factory.status().message().c_str());
   const NodeLattice lattice(Scheme(Profile::geodetic), kZoom, kCells);

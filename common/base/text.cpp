@@ -113,6 +113,16 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
   }
 }
 
+std::string rangeText(const std::optional<double>& minimum, const std::optional<double>& maximum,
+                      const std::string& unit) {
+  std::string text;
+  if (minimum) {
+    text = formatNumber(*minimum);
+    text += maximum ? " to " + formatNumber(*maximum) : " or more";
+  }
+  return text.empty() || unit.empty() ? text + unit : text + " " + unit;
+}
+
 std::string join(const std::vector<std::string>& pieces, std::string_view separator) {
   std::string joined;
   for (const std::string& piece : pieces) {

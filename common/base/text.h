@@ -25,6 +25,10 @@ std::optional<std::uint32_t> parseNumberBelow(std::string_view text, std::int64_
 /// an exponent.
 std::string formatNumber(double value);
 
+/// "1 to 5 m", "1 or more m", "m" or nothing: a range with its unit.
+std::string rangeText(const std::optional<double>& minimum, const std::optional<double>& maximum,
+                      const std::string& unit);
+
 /// Without blanks (space, tab, carriage return, line feed) at both ends.
 std::string_view trimmed(std::string_view text);
 

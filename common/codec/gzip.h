@@ -7,9 +7,20 @@
 #include <memory>
 #include <vector>
 
+#include "base/enum_table.h"
 #include "base/status.h"
 
 namespace qmesh {
+
+/// How tiles are stored.
+enum class Compression { gzip, none };
+
+template <> struct EnumTable<Compression> {
+  static constexpr EnumRow<Compression> kRows[] = {
+      {Compression::gzip, "gzip", "the server must send Content-Encoding: gzip"},
+      {Compression::none, "none", "larger files that any server can send"},
+  };
+};
 
 /// True where the bytes begin like a gzip member.
 bool isGzip(const std::uint8_t* data, std::size_t size);

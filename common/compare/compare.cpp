@@ -109,10 +109,13 @@ Result<TileId> busiestTile(const TilesetInput& input) {
     return nodes.status();
   TileId busiest = tiles.front();
   std::uint64_t most = 0;
+  const auto method = chosenSimplifier(input.options.method);
+  if (!method.ok())
+    return method.status();
   std::vector<NodeWindow> window(1);
   for (const TileId id : tiles) {
     QMESH_RETURN_IF_ERROR(sampleTile(input, **nodes, id, window.front()));
-    MethodTrial trial(window, input, *findSimplifier(input.options.method), "");
+    MethodTrial trial(window, input, **method, "");
     const auto outcome = trial.run("");
     if (!outcome.ok())
       return outcome.status();
@@ -127,7 +130,7 @@ Result<TileId> busiestTile(const TilesetInput& input) {
 } // namespace
 
 Result<std::vector<TileId>> chooseComparedTiles(const TilesetInput& input) {
-  const BuildOptions& options = input.options;
+  const TilingOptions& options = input.options.tiling;
   const int zoom = input.plan.maxZoom;
   if (!options.minX && !options.maxX && !options.minY && !options.maxY) {
     const auto busiest = busiestTile(input);
@@ -155,8 +158,10 @@ Result<Comparison> compareMethods(const TilesetInput& input, const std::vector<T
     return windows.status();
   Comparison comparison;
   comparison.tiles = tiles;
-  const auto reference =
-      MethodTrial(*windows, input, *findSimplifier(input.options.method), "").run("");
+  const auto method = chosenSimplifier(input.options.method);
+  if (!method.ok())
+    return method.status();
+  const auto reference = MethodTrial(*windows, input, **method, "").run("");
   if (!reference.ok())
     return reference.status();
   comparison.triangles = reference->triangles;

@@ -6,8 +6,6 @@
 #include <ctime>
 
 #include "base/text.h"
-#include "options/level_spec.h"
-#include "options/method_rows.h"
 #include "pyramid/tile_job.h"
 
 namespace qmesh {
@@ -18,16 +16,6 @@ namespace {
 constexpr double kLeastValue = 1e-4;
 constexpr double kMostValue = 1e7;
 constexpr double kPercent = 100;
-constexpr const char* kMaxErrorOption = "max-error";
-constexpr const char* kRemovedPercent = "random-percent";
-
-OptionRow rowOf(const std::string& name) {
-  for (const OptionRow& row : methodRows({})) {
-    if (row.name == name)
-      return row;
-  }
-  return {};
-}
 
 /// CPU seconds of this thread so far.
 double cpuSeconds() {
@@ -57,7 +45,8 @@ void append(const ExportMesh& tile, ExportMesh& all) {
 
 MethodTrial::MethodTrial(const std::vector<NodeWindow>& windows, const TilesetInput& input,
                          const SimplifierInfo& info, const std::string& option)
-    : windows_(windows), input_(input), info_(info), option_(rowOf(option)) {}
+    : windows_(windows), input_(input), info_(info),
+      option_(option.empty() ? nullptr : &methodSpec(option)) {}
 
 std::string MethodTrial::Scale::valueText(double x) const {
   return formatNumber(takenFrom > 0 ? takenFrom - x : x);
@@ -65,9 +54,9 @@ std::string MethodTrial::Scale::valueText(double x) const {
 
 MethodTrial::Scale MethodTrial::scale() const {
   Scale scale;
-  scale.low = std::max(kLeastValue, option_.minimum.value_or(0));
-  scale.high = std::min(kMostValue, option_.maximum.value_or(kMostValue));
-  if (option_.name == kRemovedPercent)
+  scale.low = std::max(kLeastValue, option_->minimum.value_or(0));
+  scale.high = std::min(kMostValue, option_->maximum.value_or(kMostValue));
+  if (option_->field == &MethodOptions::randomPercent)
     scale.takenFrom = kPercent;
   return scale;
 }
@@ -77,17 +66,16 @@ MethodTrial::Scale MethodTrial::scale() const {
 Result<MethodTrial::Setting> MethodTrial::settingAt(const std::string& value) const {
   const PyramidPlan& plan = input_.plan;
   const int zoom = windows_.front().lattice().zoom();
-  Setting setting{input_.options, plan.levels[std::size_t(zoom)]};
-  setting.options.method = info_.name;
+  Setting setting{input_.options.method, plan.levels[std::size_t(zoom)]};
+  setting.options.name = info_.name;
   if (value.empty())
     return setting;
-  QMESH_RETURN_IF_ERROR(option_.set(setting.options, value));
-  if (option_.name == kMaxErrorOption) {
-    const auto spec = LevelSpec::parse(value);
-    if (!spec.ok())
-      return spec.status();
+  const auto spec = LevelSpec::parse(value);
+  if (!spec.ok())
+    return spec.status();
+  setting.options.*option_->field = *spec;
+  if (option_->field == &MethodOptions::maxError)
     setting.level = levelParams(plan.scheme, zoom, *spec->at(zoom), plan.cells);
-  }
   return setting;
 }
 
@@ -125,12 +113,12 @@ Result<ComparedMethod> MethodTrial::measure(const std::string& value) {
     return setting.status();
   ComparedMethod row;
   row.method = info_.name;
-  row.option = value.empty() ? "" : option_.name;
+  row.option = value.empty() ? "" : option_->name;
   row.value = value;
   const auto outcome = runTiles(*setting, &row);
   if (!outcome.ok())
     return outcome.status();
-  TileJob job(setting->options);
+  TileJob job(setting->options, input_.options.output);
   TileResult result;
   StepSeconds seconds{};
   std::vector<ExportMesh> meshes;

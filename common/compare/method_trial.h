@@ -7,7 +7,7 @@
 
 #include "compare/compare.h"
 #include "grid/node_window.h"
-#include "options/option_row.h"
+#include "simplify/method_specs.h"
 #include "simplify/simplifier.h"
 
 namespace qmesh {
@@ -36,7 +36,7 @@ class MethodTrial {
     std::string valueText(double x) const;
   };
 
-  bool canBeTuned() const { return !option_.name.empty(); }
+  bool canBeTuned() const { return option_ != nullptr; }
   Scale scale() const;
 
   /// The method with the option at a value; empty: with the run's options.
@@ -47,7 +47,7 @@ class MethodTrial {
 
  private:
   struct Setting {
-    BuildOptions options;
+    MethodOptions options;
     LevelParams level;
   };
   Result<Setting> settingAt(const std::string& value) const;
@@ -56,7 +56,7 @@ class MethodTrial {
   const std::vector<NodeWindow>& windows_;
   const TilesetInput& input_;
   const SimplifierInfo& info_;
-  OptionRow option_; ///< without a name: none
+  const MethodSpec* option_; ///< null: none
 };
 
 } // namespace qmesh

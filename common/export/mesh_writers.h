@@ -4,8 +4,8 @@
 
 #include <string>
 
+#include "export/export_choices.h"
 #include "export/export_mesh.h"
-#include "options/export_choices.h"
 
 /// Meshes as text for other programs and for people. The texts depend on the mesh alone: lengths
 /// are rounded to 0.1 mm, degrees to 1e-9. Files in ASCII, lines end in "\n".

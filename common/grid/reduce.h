@@ -2,10 +2,22 @@
 // Copyright (c) 2026 the qmesh authors
 #pragma once
 
+#include "base/enum_table.h"
 #include "grid/node_window.h"
-#include "options/build_options.h"
 
 namespace qmesh {
+
+/// How a level gets its heights from the finer one; see reduceWindow().
+enum class OverviewResampling { nearest, average, cubic };
+
+template <> struct EnumTable<OverviewResampling> {
+  static constexpr EnumRow<OverviewResampling> kRows[] = {
+      {OverviewResampling::nearest, "nearest", "every second node"},
+      {OverviewResampling::average, "average", "weights 1 2 1 over valid nodes"},
+      {OverviewResampling::cubic, "cubic", "sharper than average"},
+      {OverviewResampling::nearest, "near"},
+  };
+};
 
 /// Nodes of the finer level that the 2:1 reduction reads to each side of a node.
 int reductionRadius(OverviewResampling filter);

@@ -2,9 +2,20 @@
 // Copyright (c) 2026 the qmesh authors
 #pragma once
 
+#include "base/enum_table.h"
 #include "grid/node_window.h"
 
 namespace qmesh {
+
+/// Where the heights of void nodes come from.
+enum class VoidFill { value, interpolate };
+
+template <> struct EnumTable<VoidFill> {
+  static constexpr EnumRow<VoidFill> kRows[] = {
+      {VoidFill::value, "value", "one height"},
+      {VoidFill::interpolate, "interpolate", "from the valid heights around"},
+  };
+};
 
 /// Gives every void node of the window that exists on the lattice one height, metres.
 void fillVoids(NodeWindow& window, float height);

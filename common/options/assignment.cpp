@@ -4,7 +4,7 @@
 
 namespace qmesh {
 
-Status applyAssignments(const std::vector<Assignment>& assignments, OptionValues& options) {
+Status applyAssignments(const std::vector<Assignment>& assignments, const OptionStructs& options) {
   for (const Assignment& assignment : assignments) {
     const OptionRow& row = *assignment.row;
     const Status status = row.set(options, assignment.value);

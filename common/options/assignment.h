@@ -16,8 +16,9 @@ struct Assignment {
   std::string place; ///< where it stands, for messages: "--band 0" or "my.conf:3: band = 0"
 };
 
-/// Writes the values into their fields, in order; Code::usage with the place of the first bad one.
-Status applyAssignments(const std::vector<Assignment>& assignments, OptionValues& options);
+/// Writes the values into the fields of the program's structs, in order; Code::usage with the place
+/// of the first bad one.
+Status applyAssignments(const std::vector<Assignment>& assignments, const OptionStructs& options);
 
 /// "unknown option 'NAME'" with the option it may have meant. `written`: as the user wrote it.
 Status unknownOption(const OptionTable& table, const std::string& written, const std::string& name);

@@ -4,7 +4,7 @@
 
 #include "base/enum_table.h"
 #include "base/text.h"
-#include "options/choices.h"
+#include "options/switch.h"
 
 namespace qmesh {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "base/text.h"
-#include "options/choices.h"
+#include "options/switch.h"
 
 namespace qmesh {
 

@@ -9,7 +9,7 @@
 
 #include "base/enum_table.h"
 #include "base/status.h"
-#include "options/option_values.h"
+#include "options/option_structs.h"
 
 namespace qmesh {
 
@@ -96,31 +96,31 @@ struct OptionRow {
   std::vector<std::string> aliases; ///< other long names
   OptionGroup group = OptionGroup::arguments;
   OptionType type = OptionType::flag;
-  std::string placeholder;        ///< of the value in the help; empty for a flag
-  std::string unit;               ///< of a number; empty: none
-  std::optional<double> minimum;  ///< of a number, inclusive
-  std::optional<double> maximum;  ///< of a number, inclusive
-  std::vector<Choice> choices;    ///< of a choice
-  std::string help;               ///< what it does, one or two sentences
-  std::string whenUnset;          ///< said for the default where the field is empty
-  std::string refusal;            ///< added to the message about a bad value; may be empty
-  std::string ignored;            ///< why it has no effect; empty: it has one
-  int values = 1;                 ///< words it takes on a command line, 0 for a flag
-  int position = 0;               ///< 1, 2: an argument without a name; 0: an option
-  std::string initial;            ///< the default as text; empty where the field is
-  bool advanced = false;          ///< few users need it
-  bool repeatable = false;        ///< each use adds a value
-  bool commandLineOnly = false;   ///< means nothing in a file or a form
-  bool notInDriver = false;       ///< no creation option of the GDAL driver
-  std::string translateOption;    ///< of gdal_translate, that does the same where notInDriver
-  Request request = Request::run; ///< of the rows that ask for something else than a run
+  std::string placeholder;          ///< of the value in the help; empty for a flag
+  std::string unit;                 ///< of a number; empty: none
+  std::optional<double> minimum;    ///< of a number, inclusive
+  std::optional<double> maximum;    ///< of a number, inclusive
+  std::vector<Choice> choices;      ///< of a choice
+  std::string help;                 ///< what it does, one or two sentences
+  std::string whenUnset;            ///< said for the default where the field is empty
+  std::string refusal;              ///< added to the message about a bad value; may be empty
+  std::string ignored;              ///< why it has no effect; empty: it has one
+  int values = 1;                   ///< words it takes on a command line, 0 for a flag
+  int position = 0;                 ///< 1, 2: an argument without a name; 0: an option
+  std::string initial;              ///< the default as text; empty where the field is
+  bool advanced = false;            ///< few users need it
+  bool repeatable = false;          ///< each use adds a value
+  bool commandLineOnly = false;     ///< means nothing in a file or a form
+  bool notInDriver = false;         ///< no creation option of the GDAL driver
+  std::vector<std::string> methods; ///< that it belongs to; empty: all
+  std::string translateOption;      ///< of gdal_translate, that does the same where notInDriver
+  Request request = Request::run;   ///< of the rows that ask for something else than a run
 
   /// Reads a value into its field; a flag takes "on", "off" and their aliases. On a fault the
   /// status says what was expected, without naming option and value: the caller knows them.
-  /// REQUIRES: the option struct that the row was built for.
-  std::function<Status(OptionValues&, const std::string&)> set;
+  std::function<Status(const OptionStructs&, const std::string&)> set;
   /// The field as text that set() reads; empty where the field is.
-  std::function<std::string(const OptionValues&)> get;
+  std::function<std::string(const ConstOptionStructs&)> get;
 
   /// The default as text: the field of default-constructed options.
   std::string defaultText() const { return initial; }

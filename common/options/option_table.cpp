@@ -50,12 +50,7 @@ std::string OptionRow::creationOption() const {
 }
 
 std::string OptionRow::rangeText() const {
-  std::string text;
-  if (choices.empty() && minimum) {
-    text = formatNumber(*minimum);
-    text += maximum ? " to " + formatNumber(*maximum) : " or more";
-  }
-  return text.empty() || unit.empty() ? text + unit : text + " " + unit;
+  return choices.empty() ? qmesh::rangeText(minimum, maximum, unit) : unit;
 }
 
 OptionTable OptionTable::of(ProgramText program, std::vector<OptionRow> rows) {

@@ -7,6 +7,7 @@
 #include "base/text.h"
 #include "options/assignment.h"
 #include "options/config_file.h"
+#include "options/switch.h"
 #include "options/validate.h"
 
 namespace qmesh {
@@ -226,12 +227,12 @@ Result<CommandLine> parseCommandLine(const OptionTable& table,
   line.warnings = parsed->warnings;
   BuildOptions& options = line.options;
   QMESH_RETURN_IF_ERROR(applyAssignments(parsed->assignments, options));
-  if (options.input.empty())
+  if (options.input.path.empty())
     return Status(Code::usage, "INPUT is missing: name a DEM to read");
-  if (options.output.empty())
-    options.output = defaultOutput(options.input);
-  if (options.output.empty())
-    return Status(Code::usage, "OUTPUT is missing: '" + options.input + "' gives it no name");
+  if (options.output.path.empty())
+    options.output.path = defaultOutput(options.input.path);
+  if (options.output.path.empty())
+    return Status(Code::usage, "OUTPUT is missing: '" + options.input.path + "' gives it no name");
   QMESH_RETURN_IF_ERROR(validate(options, line.warnings));
   return line;
 }

@@ -15,8 +15,4 @@ namespace qmesh {
 /// go together oddly, as sentences added to `warnings`.
 Status validate(const BuildOptions& options, std::vector<std::string>& warnings);
 
-/// Every SPEC of a method has a value within its range at the zooms first..last; else Code::usage
-/// with the option's name. What --max-error overrides does not count.
-Status checkSpecs(const BuildOptions& options, int first, int last);
-
 } // namespace qmesh

@@ -22,7 +22,7 @@ constexpr double kMostMemory = 1ull << 60;
 
 /// A zoom, -1 where `text` is none.
 int zoomOf(std::string_view text) {
-  const Result<std::int64_t> zoom = parseIntegerIn(std::string(text), 0, kDeepestZoom);
+  const Result<std::int64_t> zoom = parseIntegerIn(std::string(text), 0, kMaxZoom);
   return zoom.ok() ? static_cast<int>(*zoom) : -1;
 }
 
@@ -65,30 +65,30 @@ std::vector<double> finiteNumbers(std::string text) {
 
 } // namespace
 
-Status setZooms(BuildOptions& options, const std::string& text) {
+Status setZooms(std::optional<int>& minZoom, std::optional<int>& maxZoom, const std::string& text) {
   const std::size_t dash = text.find('-');
   const std::string_view whole = text;
   const int first = zoomOf(trimmed(whole.substr(0, dash)));
   const std::string_view rest =
       dash == std::string::npos ? whole.substr(0, dash) : whole.substr(dash + 1);
   const bool open = dash != std::string::npos && trimmed(rest).empty();
-  const int last = open ? kDeepestZoom : zoomOf(trimmed(rest));
+  const int last = open ? kMaxZoom : zoomOf(trimmed(rest));
   if (first < 0 || last < 0)
-    return expected("MIN-MAX, MIN- or N, zooms from 0 to " + std::to_string(kDeepestZoom));
+    return expected("MIN-MAX, MIN- or N, zooms from 0 to " + std::to_string(kMaxZoom));
   if (first > last)
     return expected("the smaller zoom first");
-  options.minZoom = first;
-  options.maxZoom = open ? std::nullopt : std::optional<int>(last);
+  minZoom = first;
+  maxZoom = open ? std::nullopt : std::optional<int>(last);
   return {};
 }
 
-std::string zoomsText(const BuildOptions& options) {
-  if (!options.minZoom && !options.maxZoom)
+std::string zoomsText(const std::optional<int>& minZoom, const std::optional<int>& maxZoom) {
+  if (!minZoom && !maxZoom)
     return {};
-  return fieldText(options.minZoom.value_or(0)) + "-" + fieldText(options.maxZoom);
+  return fieldText(minZoom.value_or(0)) + "-" + fieldText(maxZoom);
 }
 
-Status setMemory(BuildOptions& options, const std::string& text) {
+Status setMemory(RunOptions& options, const std::string& text) {
   std::string_view number = trimmed(text);
   const bool percent = !number.empty() && number.back() == '%';
   if (percent)
@@ -105,7 +105,7 @@ Status setMemory(BuildOptions& options, const std::string& text) {
   return {};
 }
 
-std::string memoryText(const BuildOptions& options) {
+std::string memoryText(const RunOptions& options) {
   std::uint64_t number = options.memoryBytes;
   std::string unit;
   for (const char letter : kMemoryUnits) {
@@ -117,7 +117,7 @@ std::string memoryText(const BuildOptions& options) {
   return std::to_string(number) + unit;
 }
 
-Status setThreads(BuildOptions& options, const std::string& text) {
+Status setThreads(RunOptions& options, const std::string& text) {
   constexpr int kMostThreads = 1024;
   const Result<std::int64_t> number = parseIntegerIn(text, 1, kMostThreads);
   if (!number.ok() && !equalIgnoringCase(text, kAllCpus))
@@ -126,11 +126,11 @@ Status setThreads(BuildOptions& options, const std::string& text) {
   return {};
 }
 
-std::string threadsText(const BuildOptions& options) {
+std::string threadsText(const RunOptions& options) {
   return options.threads == 0 ? kAllCpus : fieldText(options.threads);
 }
 
-Status setExtent(BuildOptions& options, const std::string& text) {
+Status setExtent(InputOptions& options, const std::string& text) {
   const std::vector<double> numbers = finiteNumbers(text);
   if (numbers.size() != 4)
     return expected("four numbers: XMIN YMIN XMAX YMAX");
@@ -140,7 +140,7 @@ Status setExtent(BuildOptions& options, const std::string& text) {
   return {};
 }
 
-std::string extentText(const BuildOptions& options) {
+std::string extentText(const InputOptions& options) {
   std::vector<std::string> numbers;
   if (options.extent)
     for (const double number : *options.extent)
@@ -148,7 +148,7 @@ std::string extentText(const BuildOptions& options) {
   return join(numbers, " ");
 }
 
-Status setObserver(BuildOptions& options, const std::string& text) {
+Status setObserver(MethodOptions& options, const std::string& text) {
   const std::vector<double> numbers = finiteNumbers(text);
   if (numbers.size() < 2 || numbers.size() > 3 || std::abs(numbers[0]) > 180 ||
       std::abs(numbers[1]) > 90)
@@ -157,7 +157,7 @@ Status setObserver(BuildOptions& options, const std::string& text) {
   return {};
 }
 
-std::string observerText(const BuildOptions& options) {
+std::string observerText(const MethodOptions& options) {
   std::vector<std::string> numbers;
   if (options.observer)
     for (const double number : *options.observer)
@@ -165,7 +165,7 @@ std::string observerText(const BuildOptions& options) {
   return join(numbers, ",");
 }
 
-Status setVoidFill(BuildOptions& options, const std::string& text) {
+Status setVoidFill(HeightOptions& options, const std::string& text) {
   const std::string interpolate = enumName(VoidFill::interpolate);
   if (equalIgnoringCase(text, interpolate)) {
     options.voidFill = VoidFill::interpolate;
@@ -179,12 +179,12 @@ Status setVoidFill(BuildOptions& options, const std::string& text) {
   return {};
 }
 
-std::string voidFillText(const BuildOptions& options) {
+std::string voidFillText(const HeightOptions& options) {
   return options.voidFill == VoidFill::interpolate ? enumName(options.voidFill)
                                                    : formatNumber(options.voidValue);
 }
 
-Status setTileSize(BuildOptions& options, const std::string& text) {
+Status setTileSize(TilingOptions& options, const std::string& text) {
   const Result<std::int64_t> size = parseIntegerIn(text, kSmallestTile, kLargestTile);
   if (!size.ok() || (*size & (*size - 1)) != 0)
     return expected("a power of two from " + std::to_string(kSmallestTile) + " to " +
@@ -193,11 +193,11 @@ Status setTileSize(BuildOptions& options, const std::string& text) {
   return {};
 }
 
-std::string tileSizeText(const BuildOptions& options) {
+std::string tileSizeText(const TilingOptions& options) {
   return fieldText(options.tileSize);
 }
 
-Status setBlockTiles(BuildOptions& options, const std::string& text) {
+Status setBlockTiles(RunOptions& options, const std::string& text) {
   if (equalIgnoringCase(text, kAutomatic)) {
     options.blockTiles = 0;
     return {};
@@ -209,11 +209,11 @@ Status setBlockTiles(BuildOptions& options, const std::string& text) {
   return {};
 }
 
-std::string blockTilesText(const BuildOptions& options) {
+std::string blockTilesText(const RunOptions& options) {
   return options.blockTiles == 0 ? kAutomatic : fieldText(options.blockTiles);
 }
 
-Status setNodata(BuildOptions& options, const std::string& text) {
+Status setNodata(InputOptions& options, const std::string& text) {
   const std::optional<double> value = parseNumber(text);
   if (!value)
     return expected("a number or nan");
@@ -221,41 +221,41 @@ Status setNodata(BuildOptions& options, const std::string& text) {
   return {};
 }
 
-std::string nodataText(const BuildOptions& options) {
+std::string nodataText(const InputOptions& options) {
   return fieldText(options.sourceNodata);
 }
 
-Result<std::array<std::int64_t, 3>> parseTileName(const std::string& text) {
+Result<TileId> parseTileName(const std::string& text) {
   std::array<std::int64_t, 3> tile{};
   const std::vector<std::string_view> pieces = split(text, '/');
   bool fine = pieces.size() == tile.size();
   for (std::size_t k = 0; fine && k < tile.size(); ++k) {
     const std::optional<std::int64_t> number = parseInteger(pieces[k]);
-    fine = number && *number >= 0 && *number <= (std::int64_t{2} << kDeepestZoom);
+    fine = number && *number >= 0 && *number <= (std::int64_t{2} << kMaxZoom);
     tile[k] = number.value_or(0);
   }
-  if (!fine || tile[0] > kDeepestZoom)
+  if (!fine || tile[0] > kMaxZoom)
     return expected("Z/X/Y: zoom, column and row from the south, as in 12/706/2850");
-  return tile;
+  return TileId{static_cast<int>(tile[0]), static_cast<std::uint32_t>(tile[1]),
+                static_cast<std::uint32_t>(tile[2])};
 }
 
-std::string tileNameText(const std::optional<std::array<std::int64_t, 3>>& tile) {
+std::string tileNameText(const std::optional<TileId>& tile) {
   if (!tile)
     return {};
-  const auto& [z, x, y] = *tile;
-  return std::to_string(z) + "/" + std::to_string(x) + "/" + std::to_string(y);
+  return tileName(*tile);
 }
 
-Status setCompareTile(BuildOptions& options, const std::string& text) {
+Status setCompareTile(CompareOptions& options, const std::string& text) {
   const auto tile = parseTileName(text);
   if (!tile.ok())
     return tile.status();
-  options.compareTile = *tile;
+  options.tile = *tile;
   return {};
 }
 
-std::string compareTileText(const BuildOptions& options) {
-  return tileNameText(options.compareTile);
+std::string compareTileText(const CompareOptions& options) {
+  return tileNameText(options.tile);
 }
 
 } // namespace qmesh

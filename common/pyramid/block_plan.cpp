@@ -43,16 +43,17 @@ std::vector<TileId> blocksOf(const PyramidPlan& plan, const Stage& stage) {
 }
 
 /// Bytes one thread takes: the windows of a block's levels, its source, its mesher.
-std::size_t bytesPerThread(const BuildOptions& options, int depth, std::size_t bytesPerSource) {
+std::size_t bytesPerThread(const TilesetOptions& options, int depth, std::size_t bytesPerSource) {
   std::size_t bytes = bytesPerSource;
   for (int level = 0; level <= depth; ++level) {
     const int tiles = 1 << (depth - level);
-    const int halo = haloForLevels(options.overviewResampling, std::max(0, depth - 1 - level));
-    bytes += NodeWindow::bytes(tiles, tiles, options.tileSize, halo);
+    const int halo =
+        haloForLevels(options.tiling.overviewResampling, std::max(0, depth - 1 - level));
+    bytes += NodeWindow::bytes(tiles, tiles, options.tiling.tileSize, halo);
   }
-  const std::size_t edge = std::size_t(options.tileSize) + 1;
-  const bool bridging = options.voidFill == VoidFill::interpolate;
-  const std::size_t meshing = bytesPerNode(*findSimplifier(options.method), options);
+  const std::size_t edge = std::size_t(options.tiling.tileSize) + 1;
+  const bool bridging = options.heights.voidFill == VoidFill::interpolate;
+  const std::size_t meshing = bytesPerNode(**chosenSimplifier(options.method), options.method);
   return bytes + edge * edge * (meshing + (bridging ? sizeof(float) : 0));
 }
 
@@ -71,7 +72,7 @@ std::size_t waitingEdges(Schedule schedule, const PyramidPlan& plan) {
 
 /// Bytes that do not depend on the threads: under --border inherit also the order of a level's
 /// tiles and the edges that wait.
-std::size_t commonBytes(const BuildOptions& options, const PyramidPlan& plan) {
+std::size_t commonBytes(const TilingOptions& options, const PyramidPlan& plan) {
   const std::size_t common = kBaseBytes + kMinCache + kMinStore;
   if (options.border != BorderMode::inherit)
     return common;
@@ -100,7 +101,7 @@ bool enoughBlocks(const PyramidPlan& plan, int depth, int threads) {
 
 } // namespace
 
-int lastZoomNeeded(const BuildOptions& options, const PyramidPlan& plan) {
+int lastZoomNeeded(const HeightOptions& options, const PyramidPlan& plan) {
   return options.voidFill == VoidFill::interpolate ? 0 : plan.minZoom;
 }
 
@@ -121,12 +122,15 @@ std::vector<Stage> planStages(const PyramidPlan& plan, int depth, int lastZoom) 
   }
 }
 
-Result<BlockPlan> planBlocks(const BuildOptions& options, const PyramidPlan& plan,
-                             std::size_t bytesPerSource, int processors) {
-  const std::size_t memory = std::size_t(options.memoryBytes);
-  const int smallest = options.blockTiles ? depthOf(options.blockTiles) : 1;
-  const int largest = options.blockTiles ? smallest : kMaxDepth;
-  const std::size_t common = commonBytes(options, plan);
+Result<BlockPlan> planBlocks(const TilesetOptions& options, const RunOptions& run,
+                             const PyramidPlan& plan, std::size_t bytesPerSource, int processors) {
+  const auto method = chosenSimplifier(options.method);
+  if (!method.ok())
+    return method.status();
+  const std::size_t memory = std::size_t(run.memoryBytes);
+  const int smallest = run.blockTiles ? depthOf(run.blockTiles) : 1;
+  const int largest = run.blockTiles ? smallest : kMaxDepth;
+  const std::size_t common = commonBytes(options.tiling, plan);
   const std::size_t minimum = common + bytesPerThread(options, smallest, bytesPerSource);
   if (memory < minimum) {
     return Status(Code::usage,
@@ -135,7 +139,7 @@ Result<BlockPlan> planBlocks(const BuildOptions& options, const PyramidPlan& pla
                       "MB (less with a smaller --tilesize, or a DEM in smaller blocks: "
                       "gdal_translate -co TILED=YES)");
   }
-  for (int threads = options.threads > 0 ? options.threads : processors; threads >= 1; --threads) {
+  for (int threads = run.threads > 0 ? run.threads : processors; threads >= 1; --threads) {
     for (int depth = largest; depth >= smallest; --depth) {
       const std::size_t needed =
           common + std::size_t(threads) * bytesPerThread(options, depth, bytesPerSource);
@@ -149,7 +153,7 @@ Result<BlockPlan> planBlocks(const BuildOptions& options, const PyramidPlan& pla
       const std::size_t spare = memory - needed;
       blocks.cacheBytes = kMinCache + spare / 4;
       blocks.storeBytes = kMinStore + spare / 2;
-      blocks.stages = planStages(plan, depth, lastZoomNeeded(options, plan));
+      blocks.stages = planStages(plan, depth, lastZoomNeeded(options.heights, plan));
       return blocks;
     }
   }

@@ -7,6 +7,7 @@
 
 #include "base/status.h"
 #include "pyramid/pyramid_plan.h"
+#include "pyramid/run_options.h"
 
 namespace qmesh {
 
@@ -36,10 +37,10 @@ std::vector<Stage> planStages(const PyramidPlan& plan, int depth, int lastZoom);
 /// Fits block size and threads into --memory: full blocks and all threads if they fit and every
 /// thread gets several, else smaller blocks, else fewer threads. Code::usage naming the minimum
 /// where not even one thread with the smallest blocks fits.
-Result<BlockPlan> planBlocks(const BuildOptions& options, const PyramidPlan& plan,
-                             std::size_t bytesPerSource, int processors);
+Result<BlockPlan> planBlocks(const TilesetOptions& options, const RunOptions& run,
+                             const PyramidPlan& plan, std::size_t bytesPerSource, int processors);
 
 /// The level down to which values are needed: --void-fill interpolate bridges holes from level 0.
-int lastZoomNeeded(const BuildOptions& options, const PyramidPlan& plan);
+int lastZoomNeeded(const HeightOptions& options, const PyramidPlan& plan);
 
 } // namespace qmesh

@@ -55,7 +55,7 @@ void BlockWindows::prepare(TileId block) {
     const TileRange tiles{box.x0 << down, box.y0 << down, (box.x1 << down) | ((1u << down) - 1),
                           (box.y1 << down) | ((1u << down) - 1)};
     windows_[k].reset(plan.lattice(zoom), tiles,
-                      haloForLevels(input_.options.overviewResampling, down));
+                      haloForLevels(input_.options.tiling.overviewResampling, down));
     tiles_[k].clear();
     for (const TileRange& r : plan.tiles.rangesUnder(block, zoom))
       for (std::uint32_t y = r.y0; y <= r.y1; ++y)
@@ -68,7 +68,7 @@ void BlockWindows::prepare(TileId block) {
 
 void BlockWindows::reduceAll() {
   for (std::size_t k = 1; k < windows_.size(); ++k) {
-    reduceWindow(windows_[k - 1], input_.options.overviewResampling, windows_[k]);
+    reduceWindow(windows_[k - 1], input_.options.tiling.overviewResampling, windows_[k]);
     windows_[k].setPoles(input_.source.poleHeight(false), input_.source.poleHeight(true));
   }
 }

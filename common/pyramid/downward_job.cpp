@@ -24,7 +24,7 @@ Result<BlockResult> DownwardJob::run(TileId block) {
 
 Status DownwardJob::fillAll(TileId block) {
   const PyramidPlan& plan = context_.plan();
-  const float value = float(context_.options().voidValue);
+  const float value = float(context_.options().heights.voidValue);
   if (stores_.above) {
     above_.reset(plan.lattice(block.z), {block.x, block.y, block.x, block.y}, kTileHalo);
     QMESH_RETURN_IF_ERROR(stores_.above->read(above_));

@@ -38,7 +38,7 @@ Result<Estimate> estimateRun(const TilesetInput& input, const BlockPlan& blocks)
   const PyramidPlan& plan = input.plan;
   Estimate estimate;
   estimate.bytes.resize(plan.levels.size());
-  TileJob job(input.options);
+  TileJob job(input.options.method, input.options.output);
   double bytesPerTile = 0;
   double secondsPerTile = 0;
   for (int zoom = plan.maxZoom; zoom >= plan.minZoom; --zoom) {

@@ -43,7 +43,7 @@ class InheritRunner::Worker {
   /// The tile's nodes with its halo, voids filled.
   Status load(TileId id) {
     const PyramidPlan& plan = context_.plan();
-    const float value = float(context_.options().voidValue);
+    const float value = float(context_.options().heights.voidValue);
     window_.reset(plan.lattice(id.z), {id.x, id.y, id.x, id.y}, kTileHalo);
     QMESH_RETURN_IF_ERROR(level_.raw->read(window_));
     window_.setPoles(context_.source().poleHeight(false), context_.source().poleHeight(true));
@@ -101,10 +101,10 @@ Status InheritRunner::run() {
 }
 
 Status InheritRunner::runLevel(int zoom) {
-  const bool bridging = context_.options().voidFill == VoidFill::interpolate;
+  const bool bridging = context_.options().heights.voidFill == VoidFill::interpolate;
   const bool filling = bridging && zoom < context_.plan().maxZoom;
   filled_ = filling ? stages_.makeStore(zoom, "filled") : nullptr;
-  Level level(context_.plan().scheme, zoom, kept_.ranges(zoom), context_.options().schedule);
+  Level level(context_.plan().scheme, zoom, kept_.ranges(zoom), context_.options().tiling.schedule);
   level.raw = raw_[std::size_t(zoom)].get();
   level.coarser = coarser_.get();
   level.filled = filled_.get();

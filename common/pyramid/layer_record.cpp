@@ -32,23 +32,23 @@ std::string baseName(const std::string& path) {
 
 } // namespace
 
-LayerJson layerRecord(const BuildOptions& options, const PyramidPlan& plan,
+LayerJson layerRecord(const TilesetOptions& options, const PyramidPlan& plan,
                       const Availability& kept, const BuildReport& report) {
   LayerJson layer;
-  layer.name = options.title.empty() ? baseName(options.input) : options.title;
+  layer.name = options.output.title.empty() ? baseName(options.input.path) : options.output.title;
   layer.version = versionOf(report.contentHash);
-  layer.attribution = options.copyright;
+  layer.attribution = options.output.copyright;
   layer.profile = plan.scheme.profile();
-  layer.slippyMap = options.xyz;
+  layer.slippyMap = options.output.xyz;
   layer.bounds = simpleBounds(plan.bounds);
   layer.minZoom = plan.minZoom;
   layer.maxZoom = kept.maxZoom();
   for (int z = 0; z <= layer.maxZoom; ++z)
     layer.available.push_back(kept.ranges(z));
-  for (const auto& provider : extensionProviders(options))
+  for (const auto& provider : extensionProviders(options.output))
     provider->announce(layer);
   layer.generator = "gdal2qmesh " QMESH_VERSION;
-  layer.method = options.method;
+  layer.method = options.method.name;
   layer.cellsPerTile = plan.cells;
   layer.extent = plan.bounds;
   for (int z = plan.minZoom; z <= plan.maxZoom; ++z) {

@@ -10,7 +10,7 @@ namespace qmesh {
 
 /// layer.json of a finished run that made the tiles `kept`. Its version is made from the tiles'
 /// content, so that a browser's cache is passed by exactly when something changed.
-LayerJson layerRecord(const BuildOptions& options, const PyramidPlan& plan,
+LayerJson layerRecord(const TilesetOptions& options, const PyramidPlan& plan,
                       const Availability& kept, const BuildReport& report);
 
 } // namespace qmesh

@@ -5,8 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "options/level_spec.h"
-#include "options/validate.h"
+#include "simplify/method_specs.h"
 
 namespace qmesh {
 
@@ -16,7 +15,7 @@ namespace {
 constexpr double kLeastDefaultError = 0.002;
 
 /// The zooms of the run: -z, else 0 and the native zoom.
-Status chooseZooms(const BuildOptions& options, const NodeSourceFactory& source,
+Status chooseZooms(const TilingOptions& options, const NodeSourceFactory& source,
                    PyramidPlan& plan) {
   const int native = source.nativeZoom(plan.scheme, plan.cells);
   plan.minZoom = options.minZoom.value_or(0);
@@ -36,12 +35,12 @@ Status chooseZooms(const BuildOptions& options, const NodeSourceFactory& source,
 
 /// Max error of every level: --max-error as it is said, else from --screen-error; the finest level,
 /// which clients stretch when one goes closer, takes half.
-Status chooseLevels(const BuildOptions& options, PyramidPlan& plan) {
-  const bool fromScreen = options.maxError.empty();
+Status chooseLevels(const MethodOptions& options, PyramidPlan& plan) {
+  const bool fromScreen = !options.maxError.isSet();
   QMESH_RETURN_IF_ERROR(checkSpecs(options, plan.minZoom, plan.maxZoom));
-  const auto spec = LevelSpec::parse(fromScreen ? options.screenError : options.maxError);
+  const LevelSpec& spec = fromScreen ? options.screenError : options.maxError;
   for (int zoom = 0; zoom <= plan.maxZoom; ++zoom) {
-    double value = zoom >= plan.minZoom ? *spec->at(zoom) : 0;
+    double value = zoom >= plan.minZoom ? *spec.at(zoom) : 0;
     if (fromScreen) {
       value *= plan.scheme.geometricError(zoom) / 2;
       if (zoom == plan.maxZoom)
@@ -66,7 +65,7 @@ std::pair<std::uint32_t, std::uint32_t> meet(double from, double to, std::uint32
 }
 
 /// Adds the tiles of the finest level that one box (not across the antimeridian) meets.
-void addBox(const BuildOptions& options, const GeoBox& box, PyramidPlan& plan) {
+void addBox(const TilingOptions& options, const GeoBox& box, PyramidPlan& plan) {
   const int z = plan.maxZoom;
   const double south = plan.scheme.fractionY(box.south);
   const double north = plan.scheme.fractionY(box.north);
@@ -88,7 +87,7 @@ void addBox(const BuildOptions& options, const GeoBox& box, PyramidPlan& plan) {
   plan.tiles.add(z, {std::uint32_t(x0), std::uint32_t(y0), std::uint32_t(x1), std::uint32_t(y1)});
 }
 
-void addBoxAcrossAntimeridian(const BuildOptions& options, const GeoBox& box, PyramidPlan& plan) {
+void addBoxAcrossAntimeridian(const TilingOptions& options, const GeoBox& box, PyramidPlan& plan) {
   if (box.east - box.west >= 360) {
     addBox(options, {-180, box.south, 180, box.north}, plan);
   } else if (box.east > 180) {
@@ -134,25 +133,24 @@ std::uint64_t PyramidPlan::tileCount() const {
   return count;
 }
 
-Result<PyramidPlan> planPyramid(const BuildOptions& options, const NodeSourceFactory& source) {
+Result<PyramidPlan> planPyramid(const TilesetOptions& options, const NodeSourceFactory& source) {
   PyramidPlan plan;
-  plan.scheme =
-      Scheme(options.profile == ProfileChoice::geodetic ? Profile::geodetic : Profile::mercator);
-  plan.cells = options.tileSize;
-  QMESH_RETURN_IF_ERROR(chooseZooms(options, source, plan));
-  QMESH_RETURN_IF_ERROR(chooseLevels(options, plan));
+  plan.scheme = Scheme(options.tiling.profile);
+  plan.cells = options.tiling.tileSize;
+  QMESH_RETURN_IF_ERROR(chooseZooms(options.tiling, source, plan));
+  QMESH_RETURN_IF_ERROR(chooseLevels(options.method, plan));
   if (source.extent().empty())
-    return Status(Code::input, options.input + ": covers no area");
+    return Status(Code::input, options.input.path + ": covers no area");
   for (const GeoBox& box : source.extent())
-    addBoxAcrossAntimeridian(options, box, plan);
+    addBoxAcrossAntimeridian(options.tiling, box, plan);
   if (plan.tiles.count(plan.maxZoom) == 0) {
-    const bool chosen = options.minX || options.maxX || options.minY || options.maxY;
-    const char* limits =
-        options.compareTile ? "--compare-tile leaves" : "--min-x/--max-x/--min-y/--max-y leave";
+    const TilingOptions& tiling = options.tiling;
+    const bool chosen = tiling.minX || tiling.maxX || tiling.minY || tiling.maxY;
     return Status(chosen ? Code::usage : Code::input,
-                  chosen ? std::string(limits) + " no tile of zoom " +
-                               std::to_string(plan.maxZoom) + " that meets the data"
-                         : options.input + ": lies outside the tile matrix of the profile");
+                  chosen ? "no tile of zoom " + std::to_string(plan.maxZoom) +
+                               " within --min-x, --max-x, --min-y and --max-y, or --compare-tile, "
+                               "meets the data"
+                         : options.input.path + ": lies outside the tile matrix of the profile");
   }
   plan.bounds = hull(source.extent());
   addAncestorsAndRoots(plan);

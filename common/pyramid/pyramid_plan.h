@@ -9,7 +9,7 @@
 #include "base/status.h"
 #include "export/export_mesh.h"
 #include "mesh/level_params.h"
-#include "options/build_options.h"
+#include "pyramid/tileset_options.h"
 #include "source/node_source.h"
 #include "tiling/availability.h"
 
@@ -34,7 +34,7 @@ struct PyramidPlan {
 
 /// All that decides what the tiles are; const while a run goes on.
 struct TilesetInput {
-  const BuildOptions& options;
+  TilesetOptions options;
   const PyramidPlan& plan;
   const NodeSourceFactory& source;
   MeshTaker meshes = {}; ///< of every tile written (--debug-meshes); empty: nobody wants them
@@ -43,6 +43,6 @@ struct TilesetInput {
 /// Plans the pyramid. Tiles are those whose square meets the data's extent at the maximum zoom
 /// (within --min-x..--max-y), their ancestors, and at level 0 every root. Code::usage where the
 /// zooms or a SPEC make no sense, Code::input where no tile is left.
-Result<PyramidPlan> planPyramid(const BuildOptions& options, const NodeSourceFactory& source);
+Result<PyramidPlan> planPyramid(const TilesetOptions& options, const NodeSourceFactory& source);
 
 } // namespace qmesh

@@ -23,7 +23,7 @@ struct RunContext {
   TileSink& sink;
   RunControl& control;
 
-  const BuildOptions& options() const { return input.options; }
+  const TilesetOptions& options() const { return input.options; }
   const PyramidPlan& plan() const { return input.plan; }
   const NodeSourceFactory& source() const { return input.source; }
 };

@@ -47,7 +47,7 @@ Status sampleTile(const TilesetInput& input, NodeSource& nodes, TileId id, NodeW
                                      window.endExistingRow() - first, window.row(first),
                                      window.stride()));
   window.setPoles(input.source.poleHeight(false), input.source.poleHeight(true));
-  fillVoids(window, float(input.options.voidValue));
+  fillVoids(window, float(input.options.heights.voidValue));
   return {};
 }
 

@@ -7,10 +7,34 @@
 #include <optional>
 #include <vector>
 
-#include "options/choices.h"
+#include "base/enum_table.h"
 #include "tiling/availability.h"
 
 namespace qmesh {
+
+/// Who decides the vertices of the edge between two tiles.
+enum class BorderMode { shared, inherit };
+
+template <> struct EnumTable<BorderMode> {
+  static constexpr EnumRow<BorderMode> kRows[] = {
+      {BorderMode::shared, "shared", "an edge is a function of its own nodes; in any order"},
+      {BorderMode::inherit, "inherit", "a tile takes the edges of neighbours already built"},
+  };
+};
+
+/// The order of a level's tiles under BorderMode::inherit.
+enum class Schedule { fourColour, rowwise, columnwise, chessboard, fourConnected };
+
+template <> struct EnumTable<Schedule> {
+  static constexpr EnumRow<Schedule> kRows[] = {
+      {Schedule::fourColour, "four-colour", "tiles of one colour never touch"},
+      {Schedule::rowwise, "rowwise", "row by row from the south"},
+      {Schedule::columnwise, "columnwise", "column by column from the west"},
+      {Schedule::chessboard, "chessboard", "the black squares, then the white ones"},
+      {Schedule::fourConnected, "4connected", "tiles with the most edges already built first"},
+      {Schedule::fourColour, "four-color"},
+  };
+};
 
 /// The order of a level's tiles under --border inherit (docs/algorithms/borders.md), a function of
 /// the tiles alone. A tile inherits the edges it shares with neighbours that come before it; those

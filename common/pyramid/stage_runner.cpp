@@ -15,7 +15,7 @@ StageRunner::StageRunner(const RunContext& context, const BlockPlan& blocks,
       scratch_(std::move(scratch)), budget_(std::int64_t(blocks.storeBytes)) {}
 
 Status StageRunner::run() {
-  return context_.options().voidFill == VoidFill::interpolate ? runUpAndDown() : runWhole();
+  return context_.options().heights.voidFill == VoidFill::interpolate ? runUpAndDown() : runWhole();
 }
 
 StageRunner::StorePointer StageRunner::makeStore(int zoom, const char* kind) {
@@ -122,7 +122,7 @@ Status StageRunner::checkData() {
   if (!has.ok())
     return has.status();
   if (!*has)
-    return {Code::input, context_.options().input +
+    return {Code::input, context_.options().input.path +
                              ": no cell has a height: all are nodata, NaN or "
                              "masked; see -a for another nodata value"};
   return {};

@@ -46,7 +46,7 @@ class MetadataProvider : public ExtensionProvider {
 } // namespace
 
 std::vector<std::unique_ptr<const ExtensionProvider>>
-extensionProviders(const BuildOptions& options) {
+extensionProviders(const OutputOptions& options) {
   std::vector<std::unique_ptr<const ExtensionProvider>> providers;
   if (options.normals)
     providers.push_back(std::make_unique<NormalsProvider>());

@@ -8,8 +8,8 @@
 #include "codec/layer_json.h"
 #include "codec/tile_mesh.h"
 #include "mesh/normals.h"
-#include "options/build_options.h"
 #include "pyramid/kept_tiles.h"
+#include "sink/output_options.h"
 
 namespace qmesh {
 
@@ -34,6 +34,6 @@ class ExtensionProvider {
 
 /// The providers that the options ask for, in the order in which layer.json names them.
 std::vector<std::unique_ptr<const ExtensionProvider>>
-extensionProviders(const BuildOptions& options);
+extensionProviders(const OutputOptions& options);
 
 } // namespace qmesh

@@ -53,10 +53,14 @@ LevelStats statsOf(const Tin& tin, const TileFrame& frame) {
 
 } // namespace
 
-TileJob::TileJob(const BuildOptions& options)
-    : simplifier_(findSimplifier(options.method)->create(options)),
-      extensions_(extensionProviders(options)),
-      compress_(options.compression == Compression::gzip) {}
+TileJob::TileJob(const MethodOptions& method, const OutputOptions& output)
+    : extensions_(extensionProviders(output)), compress_(output.compression == Compression::gzip) {
+  const Result<const SimplifierInfo*> info = chosenSimplifier(method);
+  if (info.ok())
+    simplifier_ = (*info)->create(method);
+  else
+    made_ = info.status();
+}
 
 void TileJob::fillHeader(const GeoBox& box) {
   positions_.clear();
@@ -95,6 +99,7 @@ void TileJob::assemble(const HeightTile& tile, const KeptTiles* kept) {
 
 Status TileJob::run(const HeightTile& tile, const LevelParams& level, const KeptTiles* kept,
                     TileResult& result, StepSeconds& seconds) {
+  QMESH_RETURN_IF_ERROR(made_);
   Stopwatch watch;
   frame_.reset(tile, level);
   border_.isFree = {};
@@ -105,6 +110,7 @@ Status TileJob::run(const HeightTile& tile, const LevelParams& level, const Kept
 
 Status TileJob::run(const HeightTile& tile, const LevelParams& level, const KeptTiles* kept,
                     Border& border, TileResult& result, StepSeconds& seconds) {
+  QMESH_RETURN_IF_ERROR(made_);
   Stopwatch watch;
   frame_.reset(tile, level);
   border_ = border;

@@ -11,10 +11,10 @@
 #include "codec/gzip.h"
 #include "codec/tile_mesh.h"
 #include "export/export_mesh.h"
-#include "options/build_options.h"
 #include "pyramid/report.h"
 #include "pyramid/tile_extensions.h"
 #include "simplify/simplifier.h"
+#include "sink/output_options.h"
 
 namespace qmesh {
 
@@ -29,7 +29,9 @@ struct TileResult {
 /// pure function of the height tile with its halo, the level and the options.
 class TileJob {
  public:
-  explicit TileJob(const BuildOptions& options);
+  /// Takes compression and normals of `output`. Where the method is unknown every run() returns
+  /// Code::usage with the names there are.
+  TileJob(const MethodOptions& method, const OutputOptions& output);
 
   /// `kept`: the tiles of the tileset, for the metadata extension; null for a tile by itself. Adds
   /// to `seconds`.
@@ -51,6 +53,7 @@ class TileJob {
   void assemble(const HeightTile& tile, const KeptTiles* kept);
   void fillHeader(const GeoBox& box);
 
+  Status made_; ///< of the simplifier
   std::unique_ptr<Simplifier> simplifier_;
   std::vector<std::unique_ptr<const ExtensionProvider>> extensions_;
   bool compress_;

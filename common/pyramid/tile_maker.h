@@ -13,7 +13,8 @@ namespace qmesh {
 /// border mode.
 class TileMaker {
  public:
-  explicit TileMaker(const RunContext& context) : context_(context), job_(context.options()) {}
+  explicit TileMaker(const RunContext& context)
+      : context_(context), job_(context.options().method, context.options().output) {}
 
   /// Makes and stores one of the plan's tiles, unless it is not kept. Adds to `result`.
   Status make(const HeightTile& tile, const KeptTiles& kept, BlockResult& result) {

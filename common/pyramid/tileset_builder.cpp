@@ -13,7 +13,7 @@ namespace {
 
 Status makeTiles(StageRunner& stages, const RunContext& context, const BlockPlan& blocks,
                  WorkTeam& team) {
-  if (context.options().border == BorderMode::inherit)
+  if (context.options().tiling.border == BorderMode::inherit)
     return InheritRunner(context, blocks, team, stages).run();
   return stages.run();
 }
@@ -22,9 +22,9 @@ BuildReport makeReport(const TilesetInput& input, const BlockPlan& blocks,
                        const BlockResult& totals) {
   const PyramidPlan& plan = input.plan;
   BuildReport report;
-  report.input = input.options.input;
-  report.output = input.options.output;
-  report.method = input.options.method;
+  report.input = input.options.input.path;
+  report.output = input.options.output.path;
+  report.method = input.options.method.name;
   report.minZoom = plan.minZoom;
   report.maxZoom = plan.maxZoom;
   report.cellsPerTile = plan.cells;

@@ -28,7 +28,7 @@ Result<BlockResult> UpwardJob::run(TileId block) {
 /// With -x a tile without data is left out, unless one below it is kept: levels must not have gaps.
 void UpwardJob::keepTiles(BlockResult& result) {
   const KeptTiles kept(finer_, result.kept, stage_.finest, context_.plan().maxZoom);
-  const bool keepsAll = !context_.options().excludeVoid;
+  const bool keepsAll = !context_.options().tiling.excludeVoid;
   for (std::size_t k = 0; k < windows_.levelCount(); ++k) {
     const BlockWindows::Level level = windows_.level(k);
     for (const TileId id : level.tiles)
@@ -46,7 +46,7 @@ Status UpwardJob::storeLevels(TileId block) {
 
 Status UpwardJob::makeTiles(BlockResult& result) {
   for (std::size_t k = 0; k < windows_.levelCount(); ++k)
-    fillVoids(windows_.level(k).window, float(context_.options().voidValue));
+    fillVoids(windows_.level(k).window, float(context_.options().heights.voidValue));
   const KeptTiles kept(finer_, result.kept, stage_.finest, context_.plan().maxZoom);
   return maker_->makeBlock(windows_, kept, result);
 }

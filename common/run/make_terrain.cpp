@@ -21,7 +21,7 @@ int processors() {
 Result<TerrainPlan> planTerrain(const BuildOptions& options, GDALDataset* host,
                                 std::vector<std::string>& warnings) {
   TerrainPlan plan;
-  auto source = openRasterSource(options, warnings, host);
+  auto source = openRasterSource(options.input, options.heights, warnings, host);
   if (!source.ok())
     return source.status();
   plan.source = *std::move(source);
@@ -29,7 +29,8 @@ Result<TerrainPlan> planTerrain(const BuildOptions& options, GDALDataset* host,
   if (!pyramid.ok())
     return pyramid.status();
   plan.pyramid = *std::move(pyramid);
-  auto blocks = planBlocks(options, plan.pyramid, plan.source->bytesPerSource(), processors());
+  auto blocks =
+      planBlocks(options, options.run, plan.pyramid, plan.source->bytesPerSource(), processors());
   if (!blocks.ok())
     return blocks.status();
   plan.blocks = *std::move(blocks);
@@ -37,7 +38,7 @@ Result<TerrainPlan> planTerrain(const BuildOptions& options, GDALDataset* host,
 }
 
 Result<TerrainOutput> openOutput(const BuildOptions& options) {
-  auto opened = openSink(options);
+  auto opened = openSink(options.output);
   if (!opened.ok())
     return opened.status();
   auto scratch = ScratchFolder::make(opened->workFolder);
@@ -49,7 +50,7 @@ Result<TerrainOutput> openOutput(const BuildOptions& options) {
 Result<BuildReport> makeTerrain(const BuildOptions& options, const TerrainPlan& plan,
                                 TerrainOutput& output, const std::vector<SideFile>& sideFiles,
                                 const Progress& progress) {
-  return buildTileset({options, plan.pyramid, *plan.source, meshFiles(options)}, plan.blocks,
+  return buildTileset({options, plan.pyramid, *plan.source, meshFiles(options.output)}, plan.blocks,
                       {*output.sink, output.scratch.path(), sideFiles}, progress);
 }
 

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "mesh/curvature_grid.h"
-#include "options/level_spec.h"
 #include "simplify/decimator.h"
 #include "simplify/exact_refinement.h"
 #include "simplify/methods.h"
@@ -89,7 +88,7 @@ Status Greedy::simplify(const HeightTile& tile, const TileFrame& frame, const Bo
 /// Cells per edge of the grid whose nodes stay: the curvature grid or a finer one that was asked
 /// for.
 Result<int> Greedy::askedGrid(const LevelParams& level, int cells) const {
-  const auto asked = specValue(options_.initGrid, level.zoom);
+  const auto asked = options_.initGrid.find(level.zoom);
   if (!asked.ok())
     return asked.status();
   int grid = level.baseGrid;

@@ -17,27 +17,26 @@ constexpr std::size_t kShortFeatureBytes = 1200;
 
 const std::vector<SimplifierInfo>& simplifiers() {
   static const std::vector<SimplifierInfo> rows = {
-      {"greedy", "refinement", "inserts the worst node until all are within the max error", true,
+      {"greedy", "inserts the worst node until all are within the max error", true, false,
        "max-error", 360, createGreedy},
 #ifdef QMESH_WITH_CGAL
-      {"collapse", "collapse", "collapses the cheapest edges of the mesh of all nodes", true,
+      {"collapse", "collapses the cheapest edges of the mesh of all nodes", true, false,
        "max-error", 720, createCollapse},
-      {"grid", "point set", "keeps sharp edges and one node in each cube of a grid", false,
-       "cell-size", 810, createGridPoints},
-      {"random", "point set", "keeps sharp edges and a random share of the other nodes", false,
+      {"grid", "keeps sharp edges and one node in each cube of a grid", false, true, "cell-size",
+       810, createGridPoints},
+      {"random", "keeps sharp edges and a random share of the other nodes", false, true,
        "random-percent", 810, createRandomPoints},
-      {"hierarchy", "point set", "keeps sharp edges and one node of each small or flat cluster",
-       false, "cluster-size", 810, createHierarchyPoints},
-      {"wlop", "point set", "keeps sharp edges and nodes spread evenly over the surface", false,
+      {"hierarchy", "keeps sharp edges and one node of each small or flat cluster", false, true,
+       "cluster-size", 810, createHierarchyPoints},
+      {"wlop", "keeps sharp edges and nodes spread evenly over the surface", false, true,
        "retain-percent", 860, createWlopPoints},
 #endif
-      {"qem", "decimation",
-       "collapses the edge with the least quadric error until details would show", false, "svo",
-       500, createQem},
-      {"quadtree", "refinement",
+      {"qem", "collapses the edge with the least quadric error until details would show", false,
+       false, "svo", 500, createQem},
+      {"quadtree",
        "halves cells where the terrain is curved or beyond the max error; regular triangles", false,
-       "curvature", 450, createQuadtree},
-      {"delaunay", "reference", "keeps every node: the reference to compare with", false, "", 230,
+       false, "curvature", 450, createQuadtree},
+      {"delaunay", "keeps every node: the reference to compare with", false, false, "", 230,
        createAllNodes},
   };
   return rows;
@@ -58,10 +57,19 @@ const SimplifierInfo* findSimplifier(const std::string& name) {
   return nullptr;
 }
 
+Result<const SimplifierInfo*> chosenSimplifier(const MethodOptions& options) {
+  if (const SimplifierInfo* info = findSimplifier(options.name))
+    return info;
+  std::vector<std::string> names;
+  for (const SimplifierInfo& info : simplifiers())
+    names.push_back(info.name);
+  return Status(Code::usage,
+                "unknown method '" + options.name + "'; this build has " + join(names, ", "));
+}
+
 std::size_t bytesPerNode(const SimplifierInfo& info, const MethodOptions& options) {
-  const bool hasFeatures = info.category == std::string("point set");
   const bool shortOnes = options.featureMinSize < MethodOptions().featureMinSize;
-  return info.bytesPerNode + (hasFeatures && shortOnes ? kShortFeatureBytes : 0);
+  return info.bytesPerNode + (info.keepsFeatures && shortOnes ? kShortFeatureBytes : 0);
 }
 
 Status tileFault(TileId tile, const std::string& what) {

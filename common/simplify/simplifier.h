@@ -14,7 +14,7 @@
 #include "mesh/level_params.h"
 #include "mesh/tile_frame.h"
 #include "mesh/tin.h"
-#include "options/method_options.h"
+#include "simplify/method_options.h"
 
 namespace qmesh {
 
@@ -47,9 +47,9 @@ class Simplifier {
 /// One row a method.
 struct SimplifierInfo {
   const char* name;     ///< as in --method
-  const char* category; ///< "refinement", "reference", ...
   const char* sentence; ///< for --help
   bool boundsError;     ///< promise P2 holds with the method's defaults
+  bool keepsFeatures;   ///< sharp lines are edges of the mesh; MethodOptions::featureMinSize counts
   /// The SPEC option that decides how many triangles there are.
   const char* mainOption;
   /// Bytes one tile in work takes at most for each of its nodes: the method, its TIN and the
@@ -67,6 +67,9 @@ std::vector<Choice> simplifierChoices();
 
 /// nullptr when there is no such method.
 const SimplifierInfo* findSimplifier(const std::string& name);
+
+/// The method of these options; Code::usage with the names there are where it is unknown.
+Result<const SimplifierInfo*> chosenSimplifier(const MethodOptions& options);
 
 /// Bytes one tile in work takes at most for each of its nodes with these options.
 std::size_t bytesPerNode(const SimplifierInfo& info, const MethodOptions& options);

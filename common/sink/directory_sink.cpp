@@ -154,8 +154,8 @@ void DirectorySink::close() {
 
 } // namespace
 
-Result<OpenedSink> openDirectorySink(const BuildOptions& options) {
-  auto sink = std::make_unique<DirectorySink>(cleanPath(options.output), options.xyz);
+Result<OpenedSink> openDirectorySink(const OutputOptions& options) {
+  auto sink = std::make_unique<DirectorySink>(cleanPath(options.path), options.xyz);
   QuietErrors errors;
   QMESH_RETURN_IF_ERROR(sink->open(options.overwrite));
   std::string workFolder = sink->workFolder();

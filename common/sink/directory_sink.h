@@ -3,7 +3,7 @@
 #pragma once
 
 #include "base/status.h"
-#include "options/build_options.h"
+#include "sink/output_options.h"
 #include "sink/tile_sink.h"
 
 namespace qmesh {
@@ -14,6 +14,6 @@ namespace qmesh {
 /// right and removed by the next one. Files that are not ours stay where they are. Found here,
 /// before any work, all Code::output: OUTPUT is or lies below a file, is not empty and
 /// --overwrite is not given, cannot be written, is in use by another run.
-Result<OpenedSink> openDirectorySink(const BuildOptions& options);
+Result<OpenedSink> openDirectorySink(const OutputOptions& options);
 
 } // namespace qmesh

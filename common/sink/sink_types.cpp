@@ -17,10 +17,10 @@ const std::vector<SinkType>& sinkTypes() {
   return types;
 }
 
-Result<OpenedSink> openSink(const BuildOptions& options) {
+Result<OpenedSink> openSink(const OutputOptions& options) {
   const auto& types = sinkTypes();
   const auto type = std::find_if(types.begin(), types.end(), [&](const SinkType& candidate) {
-    return candidate.accepts(options.output);
+    return candidate.accepts(options.path);
   });
   return type->open(options);
 }

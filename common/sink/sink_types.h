@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "options/build_options.h"
+#include "sink/output_options.h"
 #include "sink/tile_sink.h"
 
 namespace qmesh {
@@ -17,13 +17,13 @@ struct SinkType {
   bool (*accepts)(const std::string& output);
   /// Checks the output before any work and makes it ready. Code::output with the reason and the
   /// cure.
-  Result<OpenedSink> (*open)(const BuildOptions& options);
+  Result<OpenedSink> (*open)(const OutputOptions& options);
 };
 
 /// Every type; the first that accepts a name is taken, the last accepts all.
 const std::vector<SinkType>& sinkTypes();
 
 /// Opens the output of the options.
-Result<OpenedSink> openSink(const BuildOptions& options);
+Result<OpenedSink> openSink(const OutputOptions& options);
 
 } // namespace qmesh

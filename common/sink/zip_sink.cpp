@@ -218,8 +218,8 @@ bool isZipPath(const std::string& path) {
   return path.rfind(kPrefix, 0) == 0;
 }
 
-Result<OpenedSink> openZipSink(const BuildOptions& options) {
-  Result<ZipName> name = parseZipName(options.output);
+Result<OpenedSink> openZipSink(const OutputOptions& options) {
+  Result<ZipName> name = parseZipName(options.path);
   if (!name.ok())
     return name.status();
   auto sink = std::make_unique<ZipSink>(*std::move(name), options.xyz);

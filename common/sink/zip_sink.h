@@ -5,7 +5,7 @@
 #include <string>
 
 #include "base/status.h"
-#include "options/build_options.h"
+#include "sink/output_options.h"
 #include "sink/tile_sink.h"
 
 namespace qmesh {
@@ -20,6 +20,6 @@ bool isZipPath(const std::string& path);
 /// Compressed tiles are stored as they are. The archive takes its name when it is complete. Found
 /// before any work, all Code::output: an archive that is there without --overwrite, one with files
 /// that are not of a set, one that another run is making, a folder that cannot be written.
-Result<OpenedSink> openZipSink(const BuildOptions& options);
+Result<OpenedSink> openZipSink(const OutputOptions& options);
 
 } // namespace qmesh

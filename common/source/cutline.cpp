@@ -105,7 +105,7 @@ Result<Region> readCutline(const std::string& path, const OGRSpatialReference& r
   return region;
 }
 
-Result<Region> readExtent(const BuildOptions& options, const OGRSpatialReference& rasterSrs) {
+Result<Region> readExtent(const InputOptions& options, const OGRSpatialReference& rasterSrs) {
   const auto& [west, south, east, north] = *options.extent;
   if (!(west < east && south < north && std::isfinite(west + south + east + north)))
     return Status(Code::usage, "--te wants XMIN YMIN XMAX YMAX with XMIN < XMAX and YMIN < YMAX");

@@ -7,7 +7,7 @@
 #include <ogr_spatialref.h>
 
 #include "base/status.h"
-#include "options/build_options.h"
+#include "source/input_options.h"
 #include "source/pixel_frame.h"
 #include "source/region.h"
 
@@ -19,6 +19,6 @@ Result<Region> readCutline(const std::string& path, const OGRSpatialReference& r
 
 /// The rectangle of --te, in --te-srs or the raster's own system. Code::usage where it is empty or
 /// --te-srs is unknown, Code::input where it has no place on the globe.
-Result<Region> readExtent(const BuildOptions& options, const OGRSpatialReference& rasterSrs);
+Result<Region> readExtent(const InputOptions& options, const OGRSpatialReference& rasterSrs);
 
 } // namespace qmesh

@@ -4,9 +4,24 @@
 
 #include <vector>
 
-#include "options/build_options.h"
+#include "base/enum_table.h"
 
 namespace qmesh {
+
+/// How a height is found between the cells of a raster.
+enum class Resampling { nearest, bilinear, cubic, cubicspline, lanczos, average };
+
+template <> struct EnumTable<Resampling> {
+  static constexpr EnumRow<Resampling> kRows[] = {
+      {Resampling::nearest, "nearest", "the height of the nearest cell"},
+      {Resampling::bilinear, "bilinear", "linear between 2 x 2 cells"},
+      {Resampling::cubic, "cubic", "cubic convolution of 4 x 4 cells"},
+      {Resampling::cubicspline, "cubicspline", "cubic B-spline of 4 x 4 cells, smooths"},
+      {Resampling::lanczos, "lanczos", "windowed sinc of 6 x 6 cells"},
+      {Resampling::average, "average", "mean of the cells around a node"},
+      {Resampling::nearest, "near"},
+  };
+};
 
 /// A row of weights for the pixels first..first+count-1.
 struct Taps {

@@ -91,7 +91,7 @@ Status readFrame(GDALDataset& dataset, RasterInput& out) {
   return {};
 }
 
-Status readSrs(GDALDataset& dataset, const BuildOptions& options, RasterInput& out) {
+Status readSrs(GDALDataset& dataset, const InputOptions& options, RasterInput& out) {
   if (!options.sourceSrs.empty()) {
     Result<OGRSpatialReference> given = parseSrs(options.sourceSrs, "-s");
     if (!given.ok())
@@ -110,14 +110,14 @@ Status readSrs(GDALDataset& dataset, const BuildOptions& options, RasterInput& o
 
 } // namespace
 
-Result<RasterInput> describeRaster(const BuildOptions& options, GDALDataset* host,
+Result<RasterInput> describeRaster(const InputOptions& options, bool bathymetry, GDALDataset* host,
                                    std::vector<std::string>& warnings) {
   if (GDALGetDriverCount() == 0)
     GDALAllRegister();
   RasterInput out;
   if (!host)
     QMESH_RETURN_IF_ERROR(checkFormats(options.inputFormats));
-  out.path = options.input;
+  out.path = options.path;
   out.band = options.band;
   out.access = host ? DatasetAccess::ofHost(*host, out.band)
                     : DatasetAccess::byName(out.path, options.inputFormats, options.openOptions);
@@ -133,7 +133,7 @@ Result<RasterInput> describeRaster(const BuildOptions& options, GDALDataset* hos
   QMESH_RETURN_IF_ERROR(readSrs(dataset, options, out));
   QMESH_RETURN_IF_ERROR(readFrame(dataset, out));
   GDALRasterBand& band = *dataset.GetRasterBand(out.band);
-  out.values = PixelValues::of(band, options.sourceNodata, options.bathymetry, warnings);
+  out.values = PixelValues::of(band, options.sourceNodata, bathymetry, warnings);
   out.coverage = dataCoverage(band);
   int blockWidth = 0;
   int blockHeight = 0;

@@ -9,9 +9,10 @@
 #include <ogr_spatialref.h>
 
 #include "base/status.h"
-#include "options/build_options.h"
 #include "source/coverage.h"
 #include "source/dataset_access.h"
+#include "source/height_options.h"
+#include "source/input_options.h"
 #include "source/pixel_frame.h"
 #include "source/pixel_values.h"
 
@@ -33,7 +34,7 @@ struct RasterInput {
 /// Opens the input of `options`, or looks at `host` where that is given (it must stay open), and
 /// checks everything that can be checked without reading pixels. Code::input with the file, the
 /// fault and the cure.
-Result<RasterInput> describeRaster(const BuildOptions& options, GDALDataset* host,
+Result<RasterInput> describeRaster(const InputOptions& options, bool bathymetry, GDALDataset* host,
                                    std::vector<std::string>& warnings);
 
 } // namespace qmesh

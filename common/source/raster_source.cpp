@@ -77,13 +77,13 @@ class RasterSourceFactory : public NodeSourceFactory {
 };
 
 /// Reads --te and --cutline and crops `extent` to them.
-Status addRegions(const BuildOptions& options, SamplerSetup& setup, std::vector<GeoBox>& extent) {
+Status addRegions(const InputOptions& options, SamplerSetup& setup, std::vector<GeoBox>& extent) {
   const auto add = [&](Result<Region> region, const std::string& name) -> Status {
     if (!region.ok())
       return region.status();
     extent = cropped(extent, *region);
     if (extent.empty())
-      return {Code::input, name + " does not meet the data of '" + options.input + "'"};
+      return {Code::input, name + " does not meet the data of '" + options.path + "'"};
     setup.regions.push_back(*std::move(region));
     return {};
   };
@@ -97,19 +97,20 @@ Status addRegions(const BuildOptions& options, SamplerSetup& setup, std::vector<
 
 } // namespace
 
-Result<std::shared_ptr<NodeSourceFactory>> openRasterSource(const BuildOptions& options,
+Result<std::shared_ptr<NodeSourceFactory>> openRasterSource(const InputOptions& options,
+                                                            const HeightOptions& heights,
                                                             std::vector<std::string>& warnings,
                                                             GDALDataset* host) {
-  Result<RasterInput> input = describeRaster(options, host, warnings);
+  Result<RasterInput> input = describeRaster(options, heights.bathymetry, host, warnings);
   if (!input.ok())
     return input.status();
   auto setup = std::make_shared<SamplerSetup>();
   setup->input = *std::move(input);
   setup->resampling = options.resampling;
-  setup->heights.scaleAbove = options.scaleAbove;
-  setup->heights.scaleBelow = options.scaleBelow;
-  setup->heights.clipLow = options.clipLow;
-  setup->heights.clipHigh = options.clipHigh;
+  setup->heights.scaleAbove = heights.scaleAbove;
+  setup->heights.scaleBelow = heights.scaleBelow;
+  setup->heights.clipLow = heights.clipLow;
+  setup->heights.clipHigh = heights.clipHigh;
   const Result<GeoBox> whole = rasterExtent(setup->input);
   if (!whole.ok())
     return whole.status();

@@ -7,7 +7,8 @@
 #include <vector>
 
 #include "base/status.h"
-#include "options/build_options.h"
+#include "source/height_options.h"
+#include "source/input_options.h"
 #include "source/node_source.h"
 
 class GDALDataset;
@@ -18,9 +19,10 @@ namespace qmesh {
 /// scale, offset, unit to metres, sign of --bathymetry; then interpolation at the node, then
 /// scaling above or below sea level, then clipping. Nodes outside --te or the cutline are void.
 /// `warnings` gets sentences about what was taken on trust. `host`: an open dataset to use instead
-/// of options.input, which then only names it in messages; it must outlive the source. Code::input
+/// of input.path, which then only names it in messages; it must outlive the source. Code::input
 /// for a dataset that cannot be used, Code::usage for options that contradict it.
-Result<std::shared_ptr<NodeSourceFactory>> openRasterSource(const BuildOptions& options,
+Result<std::shared_ptr<NodeSourceFactory>> openRasterSource(const InputOptions& input,
+                                                            const HeightOptions& heights,
                                                             std::vector<std::string>& warnings,
                                                             GDALDataset* host = nullptr);
 

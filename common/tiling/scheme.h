@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <string>
 
+#include "base/enum_table.h"
+
 namespace qmesh {
 
 /// The deepest zoom the project makes or reads.
@@ -27,6 +29,13 @@ std::string tileName(TileId tile);
 enum class Profile {
   geodetic, ///< EPSG:4326, two root tiles
   mercator, ///< EPSG:3857, one root tile
+};
+
+template <> struct EnumTable<Profile> {
+  static constexpr EnumRow<Profile> kRows[] = {
+      {Profile::geodetic, "geodetic", "EPSG:4326, two root tiles"},
+      {Profile::mercator, "mercator", "EPSG:3857, one root tile"},
+  };
 };
 
 /// A box in degrees on WGS 84.

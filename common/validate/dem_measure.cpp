@@ -290,9 +290,9 @@ class BlockList {
 } // namespace
 
 Result<DemReport> measureAgainstDem(const TerrainSet& set, const MeasurePlan& plan,
-                                    const BuildOptions& options, std::vector<std::string>& warnings,
-                                    const Progress& progress) {
-  const Result<RasterInput> dem = describeRaster(options, nullptr, warnings);
+                                    const InputOptions& input, const HeightOptions& heights,
+                                    std::vector<std::string>& warnings, const Progress& progress) {
+  const Result<RasterInput> dem = describeRaster(input, heights.bathymetry, nullptr, warnings);
   if (!dem.ok())
     return dem.status();
   const CellGrid grid = gridOf(dem->frame, plan.step);
@@ -309,7 +309,7 @@ Result<DemReport> measureAgainstDem(const TerrainSet& set, const MeasurePlan& pl
     raster.emplace(*std::move(file));
   }
   DemReport report;
-  report.file = options.input;
+  report.file = input.path;
   report.step = grid.step;
   const std::int64_t cells = std::int64_t(grid.columns) * grid.rows;
   Totals totals(report, zooms, cells);

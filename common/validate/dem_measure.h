@@ -7,7 +7,8 @@
 #include <vector>
 
 #include "base/progress.h"
-#include "options/build_options.h"
+#include "source/height_options.h"
+#include "source/input_options.h"
 #include "tileset/terrain_set.h"
 
 namespace qmesh {
@@ -40,13 +41,13 @@ struct MeasurePlan {
   std::string errorRaster; ///< GeoTIFF to write; empty: none
 };
 
-/// Compares the surface of each zoom of the plan that has tiles with the DEM of `options`
+/// Compares the surface of each zoom of the plan that has tiles with the DEM `input`
 /// (read as gdal2qmesh reads it) at the centres of its cells, every `step`-th. The errors are
 /// the same for any number of threads. With `errorRaster` the deepest of these zooms is written
 /// there. p99 is over all cells, or a regular part of them where there are more than 2 million.
 /// Code::input, Code::output or Code::interrupted.
 Result<DemReport> measureAgainstDem(const TerrainSet& set, const MeasurePlan& plan,
-                                    const BuildOptions& options, std::vector<std::string>& warnings,
-                                    const Progress& progress);
+                                    const InputOptions& input, const HeightOptions& heights,
+                                    std::vector<std::string>& warnings, const Progress& progress);
 
 } // namespace qmesh

@@ -19,20 +19,20 @@ constexpr int kPictureWidth = 512;
 /// The run whose last zoom has the tiles to compare on.
 BuildOptions narrowed(const BuildOptions& options) {
   BuildOptions run = options;
-  if (options.compareTile) {
-    const auto& [z, x, y] = *options.compareTile;
-    run.minZoom = run.maxZoom = int(z);
-    run.minX = run.maxX = x;
-    run.minY = run.maxY = y;
+  if (options.compare.tile) {
+    const auto& [z, x, y] = *options.compare.tile;
+    run.tiling.minZoom = run.tiling.maxZoom = z;
+    run.tiling.minX = run.tiling.maxX = x;
+    run.tiling.minY = run.tiling.maxY = y;
   }
   return run;
 }
 
 Status checkOutput(const BuildOptions& options) {
-  const std::string& folder = options.output;
+  const std::string& folder = options.output.path;
   if (pathExists(folder) && !isFolder(folder))
     return {Code::output, "'" + folder + "' is a file; the output must be a folder"};
-  if (!options.overwrite && !listFolder(folder).empty())
+  if (!options.output.overwrite && !listFolder(folder).empty())
     return {Code::output, "the output folder '" + folder +
                               "' is not empty; --overwrite replaces a comparison in it"};
   return makeFolders(folder);
@@ -57,8 +57,8 @@ std::string titleLine(const BuildOptions& options, const Comparison& comparison)
           ? std::to_string(comparison.tiles.size()) + " tiles of zoom " + std::to_string(first.z)
           : "tile " + std::to_string(first.z) + "/" + std::to_string(first.x) + "/" +
                 std::to_string(first.y);
-  return options.input + ": " + place + ", " + std::to_string(options.tileSize) +
-         " cells an edge; what " + options.method + " makes is the measure";
+  return options.input.path + ": " + place + ", " + std::to_string(options.tiling.tileSize) +
+         " cells an edge; what " + options.method.name + " makes is the measure";
 }
 
 } // namespace
@@ -85,8 +85,9 @@ Status runCompare(const BuildOptions& options, Console& console) {
   console.message(titleLine(run, *comparison));
   std::fputs(comparisonTable(*comparison).c_str(), stdout);
   const std::string csv = comparisonCsv(*comparison);
-  QMESH_RETURN_IF_ERROR(writeWholeFile(run.output + "/comparison.csv", csv.data(), csv.size()));
-  return writePictures(run.output, *comparison);
+  QMESH_RETURN_IF_ERROR(
+      writeWholeFile(run.output.path + "/comparison.csv", csv.data(), csv.size()));
+  return writePictures(run.output.path, *comparison);
 }
 
 } // namespace qmesh

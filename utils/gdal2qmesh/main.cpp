@@ -38,8 +38,8 @@ int runCommand(const std::vector<std::string>& words) {
   case Request::run:
     break;
   }
-  console.setQuiet(line->options.quiet);
-  console.setVerbose(line->options.verbose);
+  console.setQuiet(line->options.run.quiet);
+  console.setVerbose(line->options.run.verbose);
   for (const std::string& warning : line->warnings)
     console.warning(warning);
   installSignalHandlers();

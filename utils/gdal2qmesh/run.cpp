@@ -36,8 +36,9 @@ bool isSameFile(const std::string& a, const std::string& b) {
 
 /// Finds out before the work whether the report can be written; an existing one stays as it is.
 Status checkReport(const BuildOptions& options) {
-  const std::string& file = options.report;
-  for (const std::string& read : {options.input, options.cutline, options.configFile}) {
+  const std::string& file = options.output.report;
+  for (const std::string& read :
+       {options.input.path, options.input.cutline, options.run.configFile}) {
     if (isSameFile(file, read))
       return {Code::usage, "--report " + file + " is a file this run reads; name another one"};
   }
@@ -54,7 +55,7 @@ Status checkReport(const BuildOptions& options) {
 
 std::vector<SideFile> sideFiles(const BuildOptions& options) {
   std::vector<SideFile> files;
-  if (options.preview == Preview::none)
+  if (options.output.preview == Preview::none)
     return files;
   for (const PreviewFile& file : previewFiles(options))
     files.emplace_back(file.name, file.text);
@@ -71,7 +72,7 @@ Status dryRun(const BuildOptions& options, const TerrainPlan& plan, Console& con
 }
 
 Status build(const BuildOptions& options, const TerrainPlan& plan, Console& console) {
-  if (!options.report.empty())
+  if (!options.output.report.empty())
     QMESH_RETURN_IF_ERROR(checkReport(options));
   auto output = openOutput(options);
   if (!output.ok())
@@ -83,15 +84,15 @@ Status build(const BuildOptions& options, const TerrainPlan& plan, Console& cons
   });
   if (!report.ok())
     return report.status();
-  if (!options.cesium.empty())
-    QMESH_RETURN_IF_ERROR(copyCesium(options.cesium, options.output));
-  if (!options.report.empty())
-    QMESH_RETURN_IF_ERROR(writeReport(options.report, reportJson(*report)));
+  if (!options.output.cesium.empty())
+    QMESH_RETURN_IF_ERROR(copyCesium(options.output.cesium, options.output.path));
+  if (!options.output.report.empty())
+    QMESH_RETURN_IF_ERROR(writeReport(options.output.report, reportJson(*report)));
   for (const std::string& warning : reportWarnings(*report))
     console.warning(warning);
   for (const std::string& line : reportLines(options, *report))
     console.message(line);
-  if (options.verbose)
+  if (options.run.verbose)
     console.detail(levelTable(*report));
   return {};
 }
@@ -100,10 +101,10 @@ Status build(const BuildOptions& options, const TerrainPlan& plan, Console& cons
 
 Status runBuild(const BuildOptions& options, Console& console) {
   GDALAllRegister();
-  if (options.compare)
+  if (options.compare.enabled)
     return runCompare(options, console);
-  if (!options.cesium.empty()) {
-    const auto found = findCesium(options.cesium);
+  if (!options.output.cesium.empty()) {
+    const auto found = findCesium(options.output.cesium);
     if (!found.ok())
       return found.status();
   }
@@ -114,7 +115,7 @@ Status runBuild(const BuildOptions& options, Console& console) {
   if (!plan.ok())
     return plan.status();
   GDALSetCacheMax64(GIntBig(plan->blocks.cacheBytes));
-  return options.dryRun ? dryRun(options, *plan, console) : build(options, *plan, console);
+  return options.run.dryRun ? dryRun(options, *plan, console) : build(options, *plan, console);
 }
 
 } // namespace qmesh

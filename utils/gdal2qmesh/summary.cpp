@@ -42,9 +42,11 @@ std::string zoomsText(int first, int last) {
 
 std::string startLine(const BuildOptions& options, const PyramidPlan& plan,
                       const BlockPlan& blocks) {
-  return options.input + " -> " + options.output + ": " + zoomsText(plan.minZoom, plan.maxZoom) +
+  return options.input.path + " -> " + options.output.path + ": " +
+         zoomsText(plan.minZoom, plan.maxZoom) +
          format(", %llu tiles, ", static_cast<unsigned long long>(plan.tileCount())) + "method " +
-         options.method + format(", %d thread%s", blocks.threads, blocks.threads == 1 ? "" : "s");
+         options.method.name +
+         format(", %d thread%s", blocks.threads, blocks.threads == 1 ? "" : "s");
 }
 
 std::vector<std::string> reportLines(const BuildOptions& options, const BuildReport& report) {
@@ -57,8 +59,8 @@ std::vector<std::string> reportLines(const BuildOptions& options, const BuildRep
                   sizeText(total.bytes) + " in " + runTimeText(report.wallSeconds) +
                   format("; at zoom %d the largest error is %.3g m (rms %.3g m)", report.maxZoom,
                          finest.maxError, finest.rmsError()));
-  if (options.preview != Preview::none)
-    lines.push_back("to look at it: python3 -m http.server --directory '" + options.output +
+  if (options.output.preview != Preview::none)
+    lines.push_back("to look at it: python3 -m http.server --directory '" + options.output.path +
                     "' 8000, then open http://localhost:8000/");
   return lines;
 }

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "options/build_options.h"
 #include "pyramid/block_plan.h"
 #include "pyramid/estimate.h"
 #include "pyramid/report.h"

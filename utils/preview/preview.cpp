@@ -39,7 +39,8 @@ std::string fillIn(const std::string& text,
 }
 
 std::string heading(const BuildOptions& options) {
-  return options.title.empty() ? fs::path(options.input).stem().string() : options.title;
+  return options.output.title.empty() ? fs::path(options.input.path).stem().string()
+                                      : options.output.title;
 }
 
 /// Removes the working folder on every way out.
@@ -62,9 +63,10 @@ class TemporaryFolder {
 } // namespace
 
 std::vector<PreviewFile> previewFiles(const BuildOptions& options) {
-  if (options.preview == Preview::none)
+  if (options.output.preview == Preview::none)
     return {};
-  const std::string base = options.cesium.empty() ? kCesiumSite : std::string(kCesiumFolder) + "/";
+  const std::string base =
+      options.output.cesium.empty() ? kCesiumSite : std::string(kCesiumFolder) + "/";
   const std::string page = fillIn(kIndexHtml, {{"@TITLE@", escapeMarkup(heading(options))},
                                                {"@CESIUM_BASE@", escapeMarkup(base)}});
   return {{"index.html", page},

@@ -9,17 +9,21 @@
 #include <vector>
 
 #include "base/status.h"
-#include "options/build_options.h"
-#include "options/export_choices.h"
+#include "export/export_choices.h"
+#include "options/option_structs.h"
 #include "options/option_table.h"
 #include "options/parse.h"
+#include "pyramid/run_options.h"
+#include "source/height_options.h"
+#include "source/input_options.h"
 
 namespace qmesh {
 
-/// Everything a user can say to qmeshinfo. How the DEM of --dem is read is said as to gdal2qmesh:
-/// the same fields and rows (`input` is the DEM, `minZoom` and `maxZoom` the zooms looked at).
-struct InfoOptions : BuildOptions {
-  std::string set; ///< folder, layer.json, tile or URL
+/// The options of qmeshinfo. How the DEM of --dem is read is said as to gdal2qmesh, by the same
+/// structs and rows.
+struct InfoOptions {
+  std::string set;                     ///< folder, layer.json, tile or URL
+  std::optional<int> minZoom, maxZoom; ///< the zooms looked at; unset: all
 
   // What is said
   bool json = false;
@@ -29,11 +33,13 @@ struct InfoOptions : BuildOptions {
   std::vector<std::string> ignore; ///< codes of findings not wanted
 
   // Against a DEM
+  InputOptions dem; ///< no path: none
+  HeightOptions heights;
   int demStep = 0;         ///< 0: chosen by the size of the DEM
   std::string errorRaster; ///< GeoTIFF to write
 
   // One tile
-  std::optional<std::array<std::int64_t, 3>> tile; ///< zoom, column, row from the south
+  std::optional<TileId> tile;
   std::string exportFile;
   MeshFrame frame = MeshFrame::local;
   std::string drawing;
@@ -41,6 +47,13 @@ struct InfoOptions : BuildOptions {
   int drawingWidth = 1024; ///< pixels
 
   std::vector<std::string> samples; ///< LON,LAT or "-"
+
+  RunOptions run;
+
+  operator OptionStructs() { return OptionStructs::of(*this, dem, heights, run); } // NOLINT
+  operator ConstOptionStructs() const {                                            // NOLINT
+    return ConstOptionStructs::of(*this, dem, heights, run);
+  }
 };
 
 /// The options and texts of qmeshinfo.

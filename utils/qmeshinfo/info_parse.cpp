@@ -31,7 +31,7 @@ Status checkInfo(const InfoOptions& options) {
     QMESH_RETURN_IF_ERROR(checkExtension(options.exportFile, {".obj", ".ply", ".off"}, "--export"));
   if (!options.drawing.empty())
     QMESH_RETURN_IF_ERROR(checkExtension(options.drawing, {".svg", ".png"}, "--draw"));
-  if (!options.errorRaster.empty() && options.input.empty())
+  if (!options.errorRaster.empty() && options.dem.path.empty())
     return {Code::usage, "--error-raster needs --dem: the DEM to measure against"};
   for (const std::string& text : options.samples)
     if (text != "-") {

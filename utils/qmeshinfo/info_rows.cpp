@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the qmesh authors
 #include "options/option_rows.h"
-#include "options/row_builder_bodies.h"
+#include "options/row_builder.h"
 #include "options/value_grammars.h"
 #include "qmeshinfo/info_options.h"
 
 namespace qmesh {
-
-template class BasicRowBuilder<InfoOptions>;
 
 namespace {
 
@@ -15,7 +13,7 @@ using Options = InfoOptions;
 using Group = OptionGroup;
 using Type = OptionType;
 using Rows = std::vector<OptionRow>;
-using Row = BasicRowBuilder<InfoOptions>;
+using Row = RowBuilder;
 
 /// The rows of gdal2qmesh that mean the same here.
 Rows sharedRows(const std::vector<std::string>& names) {
@@ -56,10 +54,12 @@ Rows descriptionRows() {
                 "Without it only layer.json is read."),
       Row(Group::description, "zoom", 'z')
           .value("MIN-MAX|MIN-|N")
-          .custom(
+          .custom<Options>(
               Type::zooms,
-              [](Options& options, const std::string& text) { return setZooms(options, text); },
-              zoomsText)
+              [](Options& o, const std::string& text) {
+                return setZooms(o.minZoom, o.maxZoom, text);
+              },
+              [](const Options& o) { return zoomsText(o.minZoom, o.maxZoom); })
           .whenUnset("all")
           .help("Zooms to look at; N is that one alone. With --sample and --error-raster the "
                 "deepest of them is used."),
@@ -83,7 +83,7 @@ Rows measureRows() {
   return {
       Row(Group::measure, "dem")
           .value("FILE")
-          .text(&Options::input, Type::file)
+          .text(&InputOptions::path, Type::file)
           .whenUnset("none")
           .help("Measure each level against this DEM, at the centres of its cells: largest, mean "
                 "and root mean square error and the one 99 % of the cells stay below."),
@@ -106,7 +106,7 @@ Rows tileRows() {
   return {
       Row(Group::oneTile, "tile")
           .value("Z/X/Y")
-          .custom(Type::text, setTile, tileText)
+          .custom<Options>(Type::text, setTile, tileText)
           .whenUnset("none")
           .help("Describe one tile of the set; the row counts from the south."),
       Row(Group::oneTile, "export")

@@ -50,7 +50,7 @@ int runCommand(const std::vector<std::string>& words) {
   case Request::run:
     break;
   }
-  console.setQuiet(line->options.quiet);
+  console.setQuiet(line->options.run.quiet);
   for (const std::string& warning : line->warnings)
     console.warning(warning);
   installSignalHandlers();

@@ -15,8 +15,8 @@ namespace qmesh {
 namespace {
 
 int threadsOf(const InfoOptions& options) {
-  return options.threads > 0 ? options.threads
-                             : std::max(1, int(std::thread::hardware_concurrency()));
+  return options.run.threads > 0 ? options.run.threads
+                                 : std::max(1, int(std::thread::hardware_concurrency()));
 }
 
 Result<std::set<int>> ignoredCodes(const InfoOptions& options) {
@@ -47,7 +47,7 @@ class InfoRun {
     QMESH_RETURN_IF_ERROR(describeOne());
     if (options_.stats || options_.validate)
       QMESH_RETURN_IF_ERROR(survey(book));
-    if (!options_.input.empty())
+    if (!options_.dem.path.empty())
       QMESH_RETURN_IF_ERROR(measure());
     if (!options_.samples.empty())
       QMESH_RETURN_IF_ERROR(sample());
@@ -80,8 +80,7 @@ class InfoRun {
       return {};
     TileId tile = set_.singleTile().value_or(TileId());
     if (options_.tile)
-      tile = {int((*options_.tile)[0]), std::uint32_t((*options_.tile)[1]),
-              std::uint32_t((*options_.tile)[2])};
+      tile = *options_.tile;
     Result<TileReport> described = describeTile(set_, tile);
     // A tile that is to be validated may be one that cannot be decoded.
     if (!described.ok() && set_.singleTile() && options_.validate)
@@ -110,7 +109,8 @@ class InfoRun {
     std::vector<std::string> warnings;
     const MeasurePlan plan{firstZoom_, lastZoom_, threadsOf(options_), options_.demStep,
                            options_.errorRaster};
-    Result<DemReport> dem = measureAgainstDem(set_, plan, options_, warnings, progress());
+    Result<DemReport> dem =
+        measureAgainstDem(set_, plan, options_.dem, options_.heights, warnings, progress());
     for (const std::string& warning : warnings)
       console_.warning(warning);
     if (!dem.ok())

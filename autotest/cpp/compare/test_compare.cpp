@@ -56,9 +56,9 @@ class Compared : public testing::Test {
     source_.boxes = {{10, 46, 13, 48}};
     source_.zoom = 8;
     options_ = synthetic::smallOptions();
-    options_.tileSize = 32;
-    options_.compression = Compression::gzip;
-    options_.maxError = "5";
+    options_.tiling.tileSize = 32;
+    options_.output.compression = Compression::gzip;
+    options_.method.maxError = LevelSpec(5);
   }
 
   Comparison compare() {
@@ -130,11 +130,11 @@ TEST_F(Compared, TheBusiestTileIsChosen) {
 }
 
 TEST_F(Compared, ARegionIsAllItsTiles) {
-  options_.tileSize = 16;
-  options_.minX = 271;
-  options_.maxX = 272;
-  options_.minY = 194;
-  options_.maxY = 195;
+  options_.tiling.tileSize = 16;
+  options_.tiling.minX = 271;
+  options_.tiling.maxX = 272;
+  options_.tiling.minY = 194;
+  options_.tiling.maxY = 195;
   const Comparison comparison = compare();
   EXPECT_EQ(comparison.tiles.size(), 4u);
   const ComparedMethod& row = comparison.targets[0].front();
@@ -151,7 +151,7 @@ TEST_F(Compared, ARegionIsAllItsTiles) {
 
 TEST_F(Compared, TooLargeARegionIsRefused) {
   source_.boxes = {{-180, -90, 180, 90}};
-  options_.minX = 0;
+  options_.tiling.minX = 0;
   const auto plan = planPyramid(options_, source_);
   const auto tiles = chooseComparedTiles({options_, *plan, source_});
   ASSERT_FALSE(tiles.ok());

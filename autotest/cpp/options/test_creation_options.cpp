@@ -19,10 +19,10 @@ TEST(CreationOptions, ReadsPairsInAnyCase) {
   ASSERT_TRUE(parsed.ok()) << parsed.status().message();
   BuildOptions options;
   ASSERT_TRUE(applyAssignments(*parsed, options).ok());
-  EXPECT_EQ("5", options.maxError);
-  EXPECT_EQ(64, options.tileSize);
-  EXPECT_EQ("a=b", options.title);
-  EXPECT_EQ(2, options.threads);
+  EXPECT_EQ("5", options.method.maxError.text());
+  EXPECT_EQ(64, options.tiling.tileSize);
+  EXPECT_EQ("a=b", options.output.title);
+  EXPECT_EQ(2, options.run.threads);
 }
 
 TEST(CreationOptions, WhatIsNotOursIsPassedOver) {

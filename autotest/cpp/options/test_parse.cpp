@@ -165,19 +165,19 @@ TEST(Parse, OptionsOfOtherMethodsWarn) {
     EXPECT_TRUE(validate(options, said).ok());
     return said;
   };
-  options.decimate = false;
+  options.method.decimate = false;
   EXPECT_TRUE(warnings().empty());
-  options.edgeCount = "100";
-  options.featureAngle = 90;
+  options.method.edgeCount = LevelSpec(100);
+  options.method.featureAngle = 90;
   ASSERT_EQ(warnings().size(), 2u);
   EXPECT_EQ(warnings()[0].find("--edge-count has no effect with --method greedy"), 0u);
-  options.method = "collapse";
+  options.method.name = "collapse";
   EXPECT_EQ(warnings().size(), 2u); // --decimate and --feature-angle
   for (const char* method : {"grid", "random", "hierarchy", "wlop"}) {
-    options.method = method;
+    options.method.name = method;
     EXPECT_EQ(warnings().size(), 2u) << method; // --decimate and --edge-count
   }
-  options.compare = true;
+  options.compare.enabled = true;
   EXPECT_TRUE(warnings().empty());
 }
 
@@ -209,14 +209,14 @@ TEST_F(ConfigOnDisk, CommandLineWins) {
   write("input = file.tif\nband = 2\nzoom = 1-7\noo = A=1\noo = B=2\noverwrite = on\nif = X\n");
   const BuildOptions parsed =
       options("--oo C=3 -b 5 --no-overwrite --max-zoom 3 --config-file " + path_);
-  EXPECT_EQ(parsed.input, "file.tif");
-  EXPECT_EQ(parsed.output, "file");
-  EXPECT_EQ(parsed.band, 5);
-  EXPECT_EQ(parsed.minZoom, 1);
-  EXPECT_EQ(parsed.maxZoom, 3);
-  EXPECT_EQ(parsed.openOptions, std::vector<std::string>{"C=3"});
-  EXPECT_EQ(parsed.inputFormats, std::vector<std::string>{"X"});
-  EXPECT_FALSE(parsed.overwrite);
+  EXPECT_EQ(parsed.input.path, "file.tif");
+  EXPECT_EQ(parsed.output.path, "file");
+  EXPECT_EQ(parsed.input.band, 5);
+  EXPECT_EQ(parsed.tiling.minZoom, 1);
+  EXPECT_EQ(parsed.tiling.maxZoom, 3);
+  EXPECT_EQ(parsed.input.openOptions, std::vector<std::string>{"C=3"});
+  EXPECT_EQ(parsed.input.inputFormats, std::vector<std::string>{"X"});
+  EXPECT_FALSE(parsed.output.overwrite);
 }
 
 TEST_F(ConfigOnDisk, FaultsNameFileAndLine) {

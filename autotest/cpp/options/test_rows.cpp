@@ -224,13 +224,13 @@ TEST(Rows, ChoicesAreThoseTheReaderTakes) {
 TEST(Rows, DefaultsAreTheInitialisers) {
   const BuildOptions options;
   const auto text = [](const char* name) { return testTable().byName(name)->defaultText(); };
-  EXPECT_EQ(text("band"), std::to_string(options.band));
-  EXPECT_EQ(text("tilesize"), std::to_string(options.tileSize));
-  EXPECT_EQ(text("method"), options.method);
-  EXPECT_EQ(text("screen-error"), options.screenError);
-  EXPECT_EQ(text("resampling"), enumName(options.resampling));
-  EXPECT_EQ(text("normals"), options.normals ? "on" : "off");
-  EXPECT_EQ(text("memory"), std::to_string(options.memoryBytes >> 20) + "MB");
+  EXPECT_EQ(text("band"), std::to_string(options.input.band));
+  EXPECT_EQ(text("tilesize"), std::to_string(options.tiling.tileSize));
+  EXPECT_EQ(text("method"), options.method.name);
+  EXPECT_EQ(text("screen-error"), options.method.screenError.text());
+  EXPECT_EQ(text("resampling"), enumName(options.input.resampling));
+  EXPECT_EQ(text("normals"), options.output.normals ? "on" : "off");
+  EXPECT_EQ(text("memory"), std::to_string(options.run.memoryBytes >> 20) + "MB");
   EXPECT_EQ(text("num-threads"), "ALL_CPUS");
   EXPECT_EQ(text("max-error"), "");
 }
@@ -245,7 +245,7 @@ TEST(Rows, Memory) {
   const auto bytes = [&](const char* text) {
     BuildOptions options;
     EXPECT_TRUE(row.set(options, text).ok()) << text;
-    return options.memoryBytes;
+    return options.run.memoryBytes;
   };
   EXPECT_EQ(bytes("1000"), 1000u);
   EXPECT_EQ(bytes("1000B"), 1000u);
@@ -262,11 +262,11 @@ TEST(Rows, Zooms) {
   const OptionRow& row = *testTable().byName("zoom");
   BuildOptions options;
   ASSERT_TRUE(row.set(options, "10").ok());
-  EXPECT_EQ(options.minZoom, 10);
-  EXPECT_EQ(options.maxZoom, 10);
+  EXPECT_EQ(options.tiling.minZoom, 10);
+  EXPECT_EQ(options.tiling.maxZoom, 10);
   ASSERT_TRUE(row.set(options, "3-").ok());
-  EXPECT_EQ(options.minZoom, 3);
-  EXPECT_FALSE(options.maxZoom);
+  EXPECT_EQ(options.tiling.minZoom, 3);
+  EXPECT_FALSE(options.tiling.maxZoom);
   EXPECT_EQ(row.get(options), "3-");
 }
 
@@ -275,14 +275,14 @@ TEST(Rows, VoidFill) {
   BuildOptions options;
   ASSERT_TRUE(row.set(options, "interpolate").ok());
   ASSERT_TRUE(row.set(options, "-12.5").ok());
-  EXPECT_EQ(options.voidFill, VoidFill::value);
-  EXPECT_EQ(options.voidValue, -12.5);
+  EXPECT_EQ(options.heights.voidFill, VoidFill::value);
+  EXPECT_EQ(options.heights.voidValue, -12.5);
 }
 
 TEST(Rows, NodataMayBeNan) {
   BuildOptions options;
   ASSERT_TRUE(testTable().byName("srcnodata")->set(options, "nan").ok());
-  EXPECT_NE(*options.sourceNodata, *options.sourceNodata);
+  EXPECT_NE(*options.input.sourceNodata, *options.input.sourceNodata);
 }
 
 } // namespace

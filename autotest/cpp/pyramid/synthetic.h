@@ -13,6 +13,7 @@
 
 #include "codec/decode.h"
 #include "codec/gzip.h"
+#include "options/build_options.h"
 #include "pyramid/tileset_builder.h"
 
 namespace qmesh::synthetic {
@@ -124,10 +125,10 @@ class Sink : public TileSink {
 
 inline BuildOptions smallOptions() {
   BuildOptions options;
-  options.input = "formula";
-  options.output = "memory";
-  options.tileSize = 8;
-  options.compression = Compression::none;
+  options.input.path = "formula";
+  options.output.path = "memory";
+  options.tiling.tileSize = 8;
+  options.output.compression = Compression::none;
   return options;
 }
 
@@ -136,7 +137,7 @@ inline BuildReport build(const BuildOptions& options, const Source& source, Sink
                          const std::function<void(BlockPlan&)>& change = {}) {
   const auto plan = planPyramid(options, source);
   EXPECT_TRUE(plan.ok()) << plan.status().message();
-  auto blocks = planBlocks(options, *plan, source.bytesPerSource(), 1);
+  auto blocks = planBlocks(options, options.run, *plan, source.bytesPerSource(), 1);
   EXPECT_TRUE(blocks.ok()) << blocks.status().message();
   if (change)
     change(*blocks);

@@ -48,11 +48,11 @@ class BlockJobTest : public testing::Test {
       return std::fmod(std::abs(std::floor(lon / 2) * 7 + std::floor(lat / 2) * 13), 5) < 3;
     };
     options_ = synthetic::smallOptions();
-    options_.excludeVoid = true;
-    options_.metadata = 2;
-    options_.blockTiles = 4;
+    options_.tiling.excludeVoid = true;
+    options_.output.metadata = 2;
+    options_.run.blockTiles = 4;
     plan_ = *planPyramid(options_, source_);
-    blocks_ = *planBlocks(options_, plan_, source_.bytesPerSource(), 1);
+    blocks_ = *planBlocks(options_, options_.run, plan_, source_.bytesPerSource(), 1);
   }
 
   TilesetInput input() const { return {options_, plan_, source_}; }
@@ -134,7 +134,7 @@ TEST_F(BlockJobTest, AStoppedBlockMakesNoTileAndIsNoFailure) {
 
 TEST_F(BlockJobTest, TheOrderOfBlocksChangesNoByte) {
   for (const VoidFill fill : {VoidFill::value, VoidFill::interpolate}) {
-    options_.voidFill = fill;
+    options_.heights.voidFill = fill;
     Sink reference;
     synthetic::build(options_, source_, reference);
     for (int order = 0; order < 3; ++order) {

@@ -49,8 +49,8 @@ TEST(Stages, EveryZoomOnceWhateverTheDepth) {
 
 /// The least --memory that the refusal of too little names, bytes.
 std::uint64_t minimumOf(BuildOptions options, const PyramidPlan& plan) {
-  options.memoryBytes = 10 << 20;
-  const auto refused = planBlocks(options, plan, 16 << 20, 4);
+  options.run.memoryBytes = 10 << 20;
+  const auto refused = planBlocks(options, options.run, plan, 16 << 20, 4);
   EXPECT_FALSE(refused.ok());
   EXPECT_EQ(refused.status().code(), Code::usage);
   const std::string text = refused.status().message();
@@ -62,27 +62,27 @@ std::uint64_t minimumOf(BuildOptions options, const PyramidPlan& plan) {
 TEST(BlockPlan, StaysWithinMemoryAndNamesTheMinimum) {
   BuildOptions options;
   const PyramidPlan plan = planOf(options, 6);
-  options.threads = 16;
+  options.run.threads = 16;
   for (std::uint64_t mb : {96, 128, 256, 512, 4096}) {
-    options.memoryBytes = mb << 20;
-    const auto blocks = planBlocks(options, plan, 16 << 20, 4);
+    options.run.memoryBytes = mb << 20;
+    const auto blocks = planBlocks(options, options.run, plan, 16 << 20, 4);
     ASSERT_TRUE(blocks.ok()) << blocks.status().message();
     EXPECT_GE(blocks->threads, 1);
-    EXPECT_LE(blocks->cacheBytes + blocks->storeBytes, options.memoryBytes);
+    EXPECT_LE(blocks->cacheBytes + blocks->storeBytes, options.run.memoryBytes);
   }
   // The minimum it names is one that works.
-  options.memoryBytes = minimumOf(options, plan);
-  EXPECT_TRUE(planBlocks(options, plan, 16 << 20, 4).ok());
+  options.run.memoryBytes = minimumOf(options, plan);
+  EXPECT_TRUE(planBlocks(options, options.run, plan, 16 << 20, 4).ok());
 }
 
 TEST(BlockPlan, CountsWhatTheMethodTakes) {
   BuildOptions options;
   const PyramidPlan plan = planOf(options, 6);
-  options.method = "greedy";
+  options.method.name = "greedy";
   const std::uint64_t greedy = minimumOf(options, plan);
   const double nodes = 257.0 * 257.0;
   for (const SimplifierInfo& info : simplifiers()) {
-    options.method = info.name;
+    options.method.name = info.name;
     const double more = double(info.bytesPerNode) - double(findSimplifier("greedy")->bytesPerNode);
     EXPECT_NEAR(double(minimumOf(options, plan)), double(greedy) + more * nodes, 1.0 * (1 << 20))
         << info.name;
@@ -94,19 +94,19 @@ TEST(BlockPlan, CountsTheEdgesThatWaitUnderInherit) {
   const PyramidPlan plan = planOf(options, 6);
   const double tiles = double(plan.tiles.count(plan.maxZoom));
   const double shared = double(minimumOf(options, plan));
-  options.border = BorderMode::inherit;
-  options.schedule = Schedule::fourColour;
+  options.tiling.border = BorderMode::inherit;
+  options.tiling.schedule = Schedule::fourColour;
   // Two edges a tile with a vertex at each of 257 nodes.
   EXPECT_GT(double(minimumOf(options, plan)), shared + tiles * 2 * 2 * 257);
-  options.schedule = Schedule::rowwise;
+  options.tiling.schedule = Schedule::rowwise;
   EXPECT_LT(double(minimumOf(options, plan)), shared + tiles * 2 * 257);
 }
 
 TEST(BlockPlan, SmallSetsAreCutSmallerSoThatAllThreadsWork) {
   BuildOptions options;
-  options.threads = 2;
-  const auto few = planBlocks(options, planOf(options, 2), 1 << 20, 2);
-  const auto many = planBlocks(options, planOf(options, 8), 1 << 20, 2);
+  options.run.threads = 2;
+  const auto few = planBlocks(options, options.run, planOf(options, 2), 1 << 20, 2);
+  const auto many = planBlocks(options, options.run, planOf(options, 8), 1 << 20, 2);
   EXPECT_EQ(few->blockTiles, 2);
   EXPECT_EQ(many->blockTiles, 8);
 }

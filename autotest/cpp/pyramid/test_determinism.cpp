@@ -17,7 +17,7 @@ bool speckle(double lon, double lat) {
 
 /// Builds the same set in many ways and compares every file.
 void expectSameFromEveryWay(BuildOptions options, const Source& source) {
-  options.blockTiles = 8;
+  options.run.blockTiles = 8;
   Sink reference;
   synthetic::build(options, source, reference);
   ASSERT_GT(reference.files.size(), 10u);
@@ -28,8 +28,8 @@ void expectSameFromEveryWay(BuildOptions options, const Source& source) {
   };
   for (const Way& way : {Way{2, 1, false}, Way{4, 1, false}, Way{8, 3, false}, Way{2, 4, true},
                          Way{4, 2, true}, Way{8, 1, true}}) {
-    options.blockTiles = way.blockTiles;
-    options.threads = way.threads;
+    options.run.blockTiles = way.blockTiles;
+    options.run.threads = way.threads;
     Sink sink;
     synthetic::build(options, source, sink, [&](BlockPlan& blocks) {
       if (way.spill)
@@ -49,8 +49,8 @@ void tryEveryFilter(BuildOptions options, const Source& source) {
   for (const auto filter :
        {OverviewResampling::nearest, OverviewResampling::average, OverviewResampling::cubic}) {
     for (const auto fill : {VoidFill::value, VoidFill::interpolate}) {
-      options.overviewResampling = filter;
-      options.voidFill = fill;
+      options.tiling.overviewResampling = filter;
+      options.heights.voidFill = fill;
       expectSameFromEveryWay(options, source);
     }
   }
@@ -70,7 +70,7 @@ TEST(Determinism, AcrossTheAntimeridianInMercator) {
   source.zoom = 6;
   source.isVoid = speckle;
   BuildOptions options = synthetic::smallOptions();
-  options.profile = ProfileChoice::mercator;
+  options.tiling.profile = Profile::mercator;
   tryEveryFilter(options, source);
 }
 
@@ -88,10 +88,10 @@ TEST(Determinism, ExcludedVoidsAndMetadata) {
   source.zoom = 6;
   source.isVoid = speckle;
   BuildOptions options = synthetic::smallOptions();
-  options.excludeVoid = true;
-  options.metadata = 2;
+  options.tiling.excludeVoid = true;
+  options.output.metadata = 2;
   expectSameFromEveryWay(options, source);
-  options.voidFill = VoidFill::interpolate;
+  options.heights.voidFill = VoidFill::interpolate;
   expectSameFromEveryWay(options, source);
 }
 
@@ -101,12 +101,12 @@ TEST(Determinism, PartOfTheTilesAndNoLevelZero) {
   source.zoom = 6;
   source.isVoid = speckle;
   BuildOptions options = synthetic::smallOptions();
-  options.minX = 59;
-  options.maxX = 67;
-  options.minY = 27;
-  options.minZoom = 2;
+  options.tiling.minX = 59;
+  options.tiling.maxX = 67;
+  options.tiling.minY = 27;
+  options.tiling.minZoom = 2;
   expectSameFromEveryWay(options, source);
-  options.voidFill = VoidFill::interpolate;
+  options.heights.voidFill = VoidFill::interpolate;
   expectSameFromEveryWay(options, source);
 }
 

@@ -41,8 +41,8 @@ struct Way {
 };
 
 void buildSo(BuildOptions options, const Source& source, const Way& way, Sink& sink) {
-  options.blockTiles = way.blockTiles;
-  options.threads = way.threads;
+  options.run.blockTiles = way.blockTiles;
+  options.run.threads = way.threads;
   synthetic::build(options, source, sink, [&](BlockPlan& blocks) {
     if (way.spill)
       blocks.storeBytes = 700;
@@ -58,12 +58,12 @@ TEST(Inherit, EveryWayToCutTheWorkGivesTheSameBytes) {
     for (const Schedule schedule : kSchedules) {
       for (const auto fill : {VoidFill::value, VoidFill::interpolate}) {
         BuildOptions options = synthetic::smallOptions();
-        options.method = method.name;
-        options.border = BorderMode::inherit;
-        options.schedule = schedule;
-        options.voidFill = fill;
-        options.excludeVoid = true;
-        options.metadata = 2;
+        options.method.name = method.name;
+        options.tiling.border = BorderMode::inherit;
+        options.tiling.schedule = schedule;
+        options.heights.voidFill = fill;
+        options.tiling.excludeVoid = true;
+        options.output.metadata = 2;
         Sink reference;
         buildSo(options, source, {8, 1, false}, reference);
         ASSERT_GT(reference.files.size(), 10u);
@@ -83,21 +83,21 @@ TEST(Inherit, GivesTheSharedBordersOfMethodsThatDoNotChoose) {
   globe.boxes = {{-180, -90, 180, 90}};
   globe.zoom = 3;
   globe.isVoid = speckle;
-  for (const auto profile : {ProfileChoice::geodetic, ProfileChoice::mercator}) {
+  for (const auto profile : {Profile::geodetic, Profile::mercator}) {
     for (const SimplifierInfo& method : simplifiers()) {
       if (choosesBorder(method.name))
         continue;
       for (const auto fill : {VoidFill::value, VoidFill::interpolate}) {
         BuildOptions options = synthetic::smallOptions();
-        options.profile = profile;
-        options.method = method.name;
-        options.voidFill = fill;
-        options.minZoom = 1;
-        options.excludeVoid = true;
-        options.metadata = 2;
+        options.tiling.profile = profile;
+        options.method.name = method.name;
+        options.heights.voidFill = fill;
+        options.tiling.minZoom = 1;
+        options.tiling.excludeVoid = true;
+        options.output.metadata = 2;
         Sink shared, inherited;
         synthetic::build(options, globe, shared);
-        options.border = BorderMode::inherit;
+        options.tiling.border = BorderMode::inherit;
         buildSo(options, globe, {4, 3, true}, inherited);
         expectSameFiles(shared, inherited, method.name);
       }
@@ -109,11 +109,12 @@ TEST(Inherit, GivesTheSharedBordersOfMethodsThatDoNotChoose) {
 class OneByOne {
  public:
   OneByOne(const BuildOptions& options, const PyramidPlan& plan, const Source& source)
-      : options_(options), plan_(plan), source_(source), job_(options) {}
+      : options_(options), plan_(plan), source_(source), job_(options.method, options.output) {}
 
   std::map<std::string, std::vector<std::uint8_t>> run() {
     const int zoom = plan_.maxZoom;
-    const TileSchedule order(plan_.scheme, zoom, plan_.tiles.ranges(zoom), options_.schedule);
+    const TileSchedule order(plan_.scheme, zoom, plan_.tiles.ranges(zoom),
+                             options_.tiling.schedule);
     std::vector<TileId> tiles(order.count());
     for (std::uint32_t k = 0; k < order.count(); ++k)
       tiles[order.rank(k)] = order.tile(k);
@@ -152,7 +153,7 @@ class OneByOne {
                              window.endExistingRow() - first, window.row(first), window.stride())
                     .ok());
     window.setPoles(source_.poleHeight(false), source_.poleHeight(true));
-    fillVoids(window, float(options_.voidValue));
+    fillVoids(window, float(options_.heights.voidValue));
     Border border;
     for (const Edge edge : {kWest, kSouth, kEast, kNorth}) {
       const auto built = edges_.find(nameOf(id, edge));
@@ -184,11 +185,11 @@ TEST(Inherit, EqualsTheTilesMadeOneByOne) {
   for (const SimplifierInfo& method : simplifiers()) {
     for (const Schedule schedule : kSchedules) {
       BuildOptions options = synthetic::smallOptions();
-      options.method = method.name;
-      options.border = BorderMode::inherit;
-      options.schedule = schedule;
-      options.minZoom = 2;
-      options.maxZoom = 2;
+      options.method.name = method.name;
+      options.tiling.border = BorderMode::inherit;
+      options.tiling.schedule = schedule;
+      options.tiling.minZoom = 2;
+      options.tiling.maxZoom = 2;
       const auto plan = planPyramid(options, globe);
       ASSERT_TRUE(plan.ok());
       Sink sink;
@@ -204,10 +205,10 @@ TEST(Inherit, StopsWhenTheUserSaysSo) {
   Source source;
   source.boxes = {{-30, -20, 40, 30}};
   BuildOptions options = synthetic::smallOptions();
-  options.border = BorderMode::inherit;
-  options.threads = 3;
+  options.tiling.border = BorderMode::inherit;
+  options.run.threads = 3;
   const auto plan = planPyramid(options, source);
-  const auto blocks = planBlocks(options, *plan, source.bytesPerSource(), 1);
+  const auto blocks = planBlocks(options, options.run, *plan, source.bytesPerSource(), 1);
   Sink sink;
   const auto report = buildTileset({options, *plan, source}, *blocks, {sink, sink.scratch()},
                                    [](double) { return false; });
@@ -222,10 +223,10 @@ TEST(Inherit, AFullDiskIsSaid) {
   Source source;
   source.boxes = {{-30, -20, 40, 30}};
   BuildOptions options = synthetic::smallOptions();
-  options.border = BorderMode::inherit;
-  options.threads = 3;
+  options.tiling.border = BorderMode::inherit;
+  options.run.threads = 3;
   const auto plan = planPyramid(options, source);
-  const auto blocks = planBlocks(options, *plan, source.bytesPerSource(), 1);
+  const auto blocks = planBlocks(options, options.run, *plan, source.bytesPerSource(), 1);
   Sink sink;
   sink.failAfter = 9;
   const auto report = buildTileset({options, *plan, source}, *blocks, {sink, sink.scratch()}, {});

@@ -55,14 +55,14 @@ TEST(PyramidPlan, APointGetsOneTile) {
 
 TEST(PyramidPlan, PartsOfTheMatrix) {
   BuildOptions options;
-  options.minX = 5;
-  options.maxX = 6;
-  options.maxY = 2;
+  options.tiling.minX = 5;
+  options.tiling.maxX = 6;
+  options.tiling.maxY = 2;
   const auto p = plan(options, {{-180, -90, 180, 90}}, 3);
   ASSERT_TRUE(p.ok());
   EXPECT_EQ(p->tiles.ranges(3), (std::vector<TileRange>{{5, 0, 6, 2}}));
-  options.minX = 90;
-  options.maxX = 95;
+  options.tiling.minX = 90;
+  options.tiling.maxX = 95;
   EXPECT_EQ(plan(options, {{-180, -90, 180, 90}}, 3).status().code(), Code::usage);
 }
 
@@ -74,16 +74,16 @@ TEST(PyramidPlan, MaxErrorFromTheScreen) {
   EXPECT_NEAR(p->levels[3].maxError, root / 4 / 8, 1e-6);
   EXPECT_NEAR(p->levels[4].maxError, root / 4 / 16 / 2, 1e-6);
   BuildOptions options;
-  options.maxError = "7";
+  options.method.maxError = LevelSpec(7);
   EXPECT_EQ(plan(options, {{0, 0, 1, 1}}, 4)->levels[4].maxError, 7);
-  options.maxError = "0:7";
+  options.method.maxError = *LevelSpec::parse("0:7");
   EXPECT_EQ(plan(options, {{0, 0, 1, 1}}, 4).status().code(), Code::usage);
 }
 
 TEST(PyramidPlan, ZoomsThatMakeNoSense) {
   BuildOptions options;
-  options.minZoom = 5;
-  options.maxZoom = 3;
+  options.tiling.minZoom = 5;
+  options.tiling.maxZoom = 3;
   EXPECT_EQ(plan(options, {{0, 0, 1, 1}}, 4).status().code(), Code::usage);
   EXPECT_EQ(plan({}, {}, 4).status().code(), Code::input);
 }

@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "options/choices.h"
 #include "pyramid/edge_store.h"
+#include "pyramid/schedule.h"
 #include "pyramid/tile_queue.h"
 
 namespace qmesh {

@@ -59,12 +59,12 @@ void expectNoSeam(const TileMesh& a, int edgeA, const TileMesh& b, int edgeB) {
 }
 
 TEST(Tileset, WholeGlobeWithoutASeam) {
-  for (const auto profile : {ProfileChoice::geodetic, ProfileChoice::mercator}) {
+  for (const auto profile : {Profile::geodetic, Profile::mercator}) {
     BuildOptions options = synthetic::smallOptions();
-    options.profile = profile;
+    options.tiling.profile = profile;
     Sink sink;
     const BuildReport report = synthetic::build(options, Globe(), sink);
-    const Scheme scheme(profile == ProfileChoice::geodetic ? Profile::geodetic : Profile::mercator);
+    const Scheme scheme(profile == Profile::geodetic ? Profile::geodetic : Profile::mercator);
     for (int z = 0; z <= 3; ++z) {
       const std::uint32_t columns = scheme.tilesX(z);
       for (std::uint32_t x = 0; x < columns; ++x) {
@@ -84,7 +84,7 @@ TEST(Tileset, EveryNodeIsSampledOnce) {
   const Globe source;
   Sink sink;
   BuildOptions options = synthetic::smallOptions();
-  options.blockTiles = 8;
+  options.run.blockTiles = 8;
   synthetic::build(options, source, sink);
   // 16 x 8 tiles of 8 cells at zoom 3, in two blocks with 11 nodes of halo.
   const std::uint64_t nodes = 128 * 65;
@@ -114,7 +114,7 @@ TEST(Tileset, LayerJsonListsExactlyTheFiles) {
   source.isVoid = [](double lon, double lat) { return lon > 0 && lat < 10; };
   for (const bool exclude : {false, true}) {
     BuildOptions options = synthetic::smallOptions();
-    options.excludeVoid = exclude;
+    options.tiling.excludeVoid = exclude;
     Sink sink;
     synthetic::build(options, source, sink);
     const auto& text = sink.files.at("layer.json");
@@ -148,8 +148,8 @@ TEST(Tileset, BridgedVoidsAreSmooth) {
   source.zoom = 5;
   source.isVoid = [](double lon, double lat) { return std::hypot(lon - 22, lat - 22) < 5; };
   BuildOptions options = synthetic::smallOptions();
-  options.method = "delaunay";
-  options.voidFill = VoidFill::interpolate;
+  options.method.name = "delaunay";
+  options.heights.voidFill = VoidFill::interpolate;
   Sink sink;
   synthetic::build(options, source, sink);
   // Inside the hole heights lie within the range around it, far from a fill of 0 - 1000 m below.
@@ -164,7 +164,7 @@ TEST(Tileset, InterruptAndFailureAbandonTheSink) {
   const Globe source;
   const BuildOptions options = synthetic::smallOptions();
   const auto plan = planPyramid(options, source);
-  const auto blocks = planBlocks(options, *plan, source.bytesPerSource(), 2);
+  const auto blocks = planBlocks(options, options.run, *plan, source.bytesPerSource(), 2);
   Sink failing;
   failing.failAfter = 5;
   auto report = buildTileset({options, *plan, source}, *blocks, {failing, failing.scratch()}, {});
@@ -183,10 +183,10 @@ TEST(Tileset, InterruptAndFailureAbandonTheSink) {
 TEST(Tileset, ProgressNeverGoesBack) {
   for (const auto fill : {VoidFill::value, VoidFill::interpolate}) {
     BuildOptions options = synthetic::smallOptions();
-    options.voidFill = fill;
+    options.heights.voidFill = fill;
     const Globe source;
     const auto plan = planPyramid(options, source);
-    const auto blocks = planBlocks(options, *plan, source.bytesPerSource(), 2);
+    const auto blocks = planBlocks(options, options.run, *plan, source.bytesPerSource(), 2);
     Sink sink;
     double last = 0;
     const auto report =

@@ -41,15 +41,15 @@ TEST(InfoOptions, RowsSharedWithTheBuilderReachTheirFields) {
   ASSERT_TRUE(line.ok()) << line.status().message();
   const InfoOptions& options = line->options;
   EXPECT_EQ(options.set, "set");
-  EXPECT_EQ(options.input, "d.tif");
-  EXPECT_EQ(options.sourceSrs, "EPSG:32611");
-  EXPECT_EQ(options.band, 2);
-  EXPECT_EQ(options.sourceNodata, -9999);
-  EXPECT_TRUE(options.bathymetry);
+  EXPECT_EQ(options.dem.path, "d.tif");
+  EXPECT_EQ(options.dem.sourceSrs, "EPSG:32611");
+  EXPECT_EQ(options.dem.band, 2);
+  EXPECT_EQ(options.dem.sourceNodata, -9999);
+  EXPECT_TRUE(options.heights.bathymetry);
   EXPECT_EQ(options.minZoom, 3);
   EXPECT_EQ(options.maxZoom, 7);
-  EXPECT_EQ(options.threads, 2);
-  EXPECT_TRUE(options.quiet);
+  EXPECT_EQ(options.run.threads, 2);
+  EXPECT_TRUE(options.run.quiet);
 }
 
 TEST(InfoOptions, OwnOptionsReachTheirFields) {
@@ -57,7 +57,7 @@ TEST(InfoOptions, OwnOptionsReachTheirFields) {
                           "--width 99 --sample -120.5,40 --ignore QM101 --ignore QM102");
   ASSERT_TRUE(line.ok()) << line.status().message();
   const InfoOptions& options = line->options;
-  EXPECT_EQ(*options.tile, (std::array<std::int64_t, 3>{4, 3, 2}));
+  EXPECT_EQ(*options.tile, (TileId{4, 3, 2}));
   EXPECT_EQ(options.exportFile, "a.PLY");
   EXPECT_EQ(options.frame, MeshFrame::ecef);
   EXPECT_EQ(options.shade, MeshShade::slope);

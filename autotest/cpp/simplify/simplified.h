@@ -12,6 +12,11 @@
 
 namespace qmesh::test {
 
+/// REQUIRES: `text` is a SPEC.
+inline LevelSpec spec(const std::string& text) {
+  return *LevelSpec::parse(text);
+}
+
 /// A tile with all that was made of it.
 struct Simplified {
   LevelParams level;

@@ -241,7 +241,7 @@ TEST(Greedy, TheInitialGridStaysAndLeavesTheBorderAlone) {
   const TerrainPatch patch(place.lattice(), place.id(), 1, 1, Terrain::fractal, 3);
   const LevelParams level = place.level(200);
   MethodOptions options;
-  options.initGrid = "7"; // rounded up to 8
+  options.initGrid = spec("7"); // rounded up to 8
   const auto method = findSimplifier("greedy")->create(options);
   const Simplified made = simplify(patch.tile(), level, *method);
   expectPromises(made, patch.tile());

@@ -18,8 +18,8 @@ using namespace test;
 
 std::unique_ptr<Simplifier> qem(const std::string& svo, const std::string& ratio = "") {
   MethodOptions options;
-  options.svo = svo;
-  options.ratio = ratio;
+  options.svo = spec(svo);
+  options.ratio = spec(ratio);
   return findSimplifier("qem")->create(options);
 }
 

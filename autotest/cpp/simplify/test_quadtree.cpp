@@ -25,8 +25,8 @@ using Nodes = std::set<std::pair<int, int>>;
 /// Divides by a curvature; by the level's max error where none is given.
 MethodOptions curvatureOptions(const std::string& curvature) {
   MethodOptions options;
-  options.curvature = curvature;
-  options.maxError = curvature.empty() ? "1" : ""; // what it says is in the level
+  options.curvature = spec(curvature);
+  options.maxError = spec(curvature.empty() ? "1" : ""); // what it says is in the level
   return options;
 }
 

@@ -47,7 +47,7 @@ class DirectorySinkTest : public testing::Test {
   DirectorySinkTest() {
     std::string name = (fs::temp_directory_path() / "qmesh-sink-XXXXXX").string();
     base_ = mkdtemp(name.data());
-    options_.output = (base_ / "out").string();
+    options_.path = (base_ / "out").string();
   }
   ~DirectorySinkTest() override { fs::remove_all(base_); }
 
@@ -70,13 +70,13 @@ class DirectorySinkTest : public testing::Test {
     return {text.begin(), text.end()};
   }
   void put(const std::string& name, const std::string& text) {
-    const fs::path path = fs::path(options_.output) / name;
+    const fs::path path = fs::path(options_.path) / name;
     fs::create_directories(path.parent_path());
     std::ofstream(path) << text;
   }
 
   /// Every file below the output with its text; folders without files as "name/".
-  std::map<std::string, std::string> tree() const { return treeOf(options_.output); }
+  std::map<std::string, std::string> tree() const { return treeOf(options_.path); }
   static std::map<std::string, std::string> treeOf(const fs::path& top) {
     std::map<std::string, std::string> out;
     if (fs::exists(top))
@@ -132,7 +132,7 @@ class DirectorySinkTest : public testing::Test {
   }
 
   fs::path base_;
-  BuildOptions options_;
+  OutputOptions options_;
   std::string workFolder_; ///< of the sink opened last
 };
 
@@ -140,7 +140,7 @@ TEST_F(DirectorySinkTest, NothingIsVisibleBeforeCommit) {
   auto sink = open();
   ASSERT_TRUE(sink);
   writeNewSet(*sink);
-  for (const auto& entry : fs::directory_iterator(options_.output))
+  for (const auto& entry : fs::directory_iterator(options_.path))
     EXPECT_EQ(".qmesh-build", entry.path().filename());
   const auto scratch = ScratchFolder::make(workFolder_);
   ASSERT_TRUE(scratch.ok());
@@ -168,7 +168,7 @@ TEST_F(DirectorySinkTest, RowsFromTheNorthWithXyz) {
 TEST_F(DirectorySinkTest, ABareNameIsAFolderHere) {
   const fs::path before = fs::current_path();
   fs::current_path(base_);
-  options_.output = "set/of/tiles";
+  options_.path = "set/of/tiles";
   {
     auto sink = open();
     ASSERT_TRUE(sink->writeTile({0, 0, 0}, bytes("t")).ok());
@@ -186,13 +186,13 @@ TEST_F(DirectorySinkTest, AbandonLeavesNoTrace) {
     sink->abandon();
   }
   EXPECT_TRUE(fs::is_empty(base_)) << "the folder was ours";
-  options_.output = (base_ / "a/b/c").string();
+  options_.path = (base_ / "a/b/c").string();
   { auto sink = open(); } // the destructor abandons
   EXPECT_TRUE(fs::is_empty(base_));
-  fs::create_directories(options_.output);
+  fs::create_directories(options_.path);
   { auto sink = open(); }
-  EXPECT_TRUE(fs::exists(options_.output)) << "was there before";
-  EXPECT_TRUE(fs::is_empty(options_.output));
+  EXPECT_TRUE(fs::exists(options_.path)) << "was there before";
+  EXPECT_TRUE(fs::is_empty(options_.path));
 }
 
 TEST_F(DirectorySinkTest, RefusesBeforeTheWork) {
@@ -200,19 +200,19 @@ TEST_F(DirectorySinkTest, RefusesBeforeTheWork) {
   EXPECT_NE(std::string::npos, refusal().message().find("--overwrite"));
   const auto before = tree();
   EXPECT_EQ((std::map<std::string, std::string>{{"something", "mine"}}), before);
-  options_.output += "/something";
+  options_.path += "/something";
   EXPECT_NE(std::string::npos, refusal().message().find("is a file"));
-  options_.output += "/below";
+  options_.path += "/below";
   EXPECT_NE(std::string::npos, refusal().message().find("is a file"));
   EXPECT_EQ(before, treeOf(base_ / "out"));
-  options_.output = "/proc/qmesh-test";
+  options_.path = "/proc/qmesh-test";
   (void)refusal();
 }
 
 TEST_F(DirectorySinkTest, RefusesAFolderThatCannotBeWritten) {
-  fs::create_directories(options_.output);
+  fs::create_directories(options_.path);
   fs::permissions(base_, fs::perms(0755));
-  fs::permissions(options_.output, fs::perms(0555));
+  fs::permissions(options_.path, fs::perms(0555));
   const pid_t child = fork();
   if (child == 0) { // root may write everywhere, so it becomes somebody else
     if (geteuid() == 0 && setuid(65534) != 0)
@@ -223,11 +223,11 @@ TEST_F(DirectorySinkTest, RefusesAFolderThatCannotBeWritten) {
   }
   int state = 0;
   waitpid(child, &state, 0);
-  fs::permissions(options_.output, fs::perms(0755));
+  fs::permissions(options_.path, fs::perms(0755));
   if (WIFEXITED(state) && WEXITSTATUS(state) == 77)
     GTEST_SKIP() << "not allowed to become another user";
   EXPECT_TRUE(WIFEXITED(state) && WEXITSTATUS(state) == 0);
-  EXPECT_TRUE(fs::is_empty(options_.output));
+  EXPECT_TRUE(fs::is_empty(options_.path));
 }
 
 TEST_F(DirectorySinkTest, OverwriteSwapsAndKeepsWhatIsNotOurs) {
@@ -247,7 +247,7 @@ TEST_F(DirectorySinkTest, OverwriteSwapsAndKeepsWhatIsNotOurs) {
 
 TEST_F(DirectorySinkTest, AFolderInTheWayOfAFileUndoesTheSwap) {
   putOldSet();
-  fs::remove(fs::path(options_.output) / "index.html");
+  fs::remove(fs::path(options_.path) / "index.html");
   put("index.html/mine.txt", "a folder of that name");
   const auto before = tree();
   options_.overwrite = true;
@@ -284,7 +284,7 @@ TEST_F(DirectorySinkTest, WhatAKilledRunLeftIsRemoved) {
     }
     int state = 0;
     waitpid(child, &state, 0);
-    EXPECT_TRUE(fs::exists(fs::path(options_.output) / ".qmesh-build/lock"));
+    EXPECT_TRUE(fs::exists(fs::path(options_.path) / ".qmesh-build/lock"));
     auto sink = open();
     ASSERT_TRUE(sink);
     ASSERT_TRUE(sink->writeTile({1, 0, 0}, bytes("whole")).ok());
@@ -292,7 +292,7 @@ TEST_F(DirectorySinkTest, WhatAKilledRunLeftIsRemoved) {
     EXPECT_EQ(
         (std::map<std::string, std::string>{{"layer.json", "{}"}, {"1/0/0.terrain", "whole"}}),
         tree());
-    fs::remove_all(options_.output);
+    fs::remove_all(options_.path);
   }
 }
 
@@ -309,7 +309,7 @@ TEST_F(DirectorySinkTest, KilledAtAnyStepOfTheSwap) {
   options_.overwrite = true;
   int steps = 0;
   for (bool finished = false; !finished && steps < 200; ++steps) {
-    fs::remove_all(options_.output);
+    fs::remove_all(options_.path);
     putOldSet();
     const auto before = tree();
     const pid_t child = fork();
@@ -392,7 +392,7 @@ TEST_F(DirectorySinkTest, AFullDiskIsAnErrorThatNamesTheFile) {
 }
 
 TEST_F(DirectorySinkTest, WritesIntoGdalsMemory) {
-  options_.output = "/vsimem/gdalio-sink/out";
+  options_.path = "/vsimem/gdalio-sink/out";
   auto sink = open();
   ASSERT_TRUE(sink);
   writeNewSet(*sink);
@@ -407,8 +407,8 @@ TEST_F(DirectorySinkTest, WritesIntoGdalsMemory) {
   EXPECT_FALSE(fs::exists(scratchPath));
   VSIStatBufL info;
   for (const char* name : {"layer.json", "0/0/0.terrain", "1/2/0.terrain", "Cesium/Build/x.js"})
-    EXPECT_EQ(0, VSIStatL((options_.output + "/" + name).c_str(), &info)) << name;
-  EXPECT_NE(0, VSIStatL((options_.output + "/.qmesh-build").c_str(), &info));
+    EXPECT_EQ(0, VSIStatL((options_.path + "/" + name).c_str(), &info)) << name;
+  EXPECT_NE(0, VSIStatL((options_.path + "/.qmesh-build").c_str(), &info));
   (void)refusal();
 }
 

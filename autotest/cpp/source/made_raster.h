@@ -82,16 +82,22 @@ inline std::string write(const MadeRaster& made, const std::string& name = "rast
 
 using FactoryPtr = std::shared_ptr<NodeSourceFactory>;
 
-inline BuildOptions optionsFor(const std::string& path) {
-  BuildOptions options;
-  options.input = path;
+/// What a raster source is made of.
+struct SourceOptions {
+  InputOptions input;
+  HeightOptions heights;
+};
+
+inline SourceOptions optionsFor(const std::string& path) {
+  SourceOptions options;
+  options.input.path = path;
   return options;
 }
 
-inline FactoryPtr openSource(const BuildOptions& options,
+inline FactoryPtr openSource(const SourceOptions& options,
                              std::vector<std::string>* warnings = nullptr) {
   std::vector<std::string> ignored;
-  auto opened = openRasterSource(options, warnings ? *warnings : ignored);
+  auto opened = openRasterSource(options.input, options.heights, warnings ? *warnings : ignored);
   EXPECT_TRUE(opened.ok()) << opened.status().message();
   return opened.ok() ? *opened : nullptr;
 }

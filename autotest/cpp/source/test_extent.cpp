@@ -147,8 +147,8 @@ int validNodes(const NodeSourceFactory& factory, const NodeLattice& lattice, con
 }
 
 TEST(TargetExtent, CropsToAClosedBox) {
-  BuildOptions options = optionsFor(write(degreeRaster(0, 20, 200, 20)));
-  options.extent = {{5.625, 5.625, 11.25, 11.25}};
+  SourceOptions options = optionsFor(write(degreeRaster(0, 20, 200, 20)));
+  options.input.extent = {{5.625, 5.625, 11.25, 11.25}};
   const FactoryPtr factory = openSource(options);
   ASSERT_TRUE(factory);
   ASSERT_EQ(1u, factory->extent().size());
@@ -159,8 +159,8 @@ TEST(TargetExtent, CropsToAClosedBox) {
 }
 
 TEST(TargetExtent, InAnotherSystemAndAcrossTheAntimeridian) {
-  BuildOptions options = optionsFor(write(degreeRaster(170, 10, 200, 20)));
-  options.extent = {{175, -5, 185, 5}};
+  SourceOptions options = optionsFor(write(degreeRaster(170, 10, 200, 20)));
+  options.input.extent = {{175, -5, 185, 5}};
   FactoryPtr factory = openSource(options);
   ASSERT_TRUE(factory);
   const NodeLattice lattice = geodetic(5, 64);
@@ -173,8 +173,8 @@ TEST(TargetExtent, InAnotherSystemAndAcrossTheAntimeridian) {
   EXPECT_TRUE(at(-175.1) == at(-175.1));
   EXPECT_TRUE(at(-174.9) != at(-174.9));
 
-  options.extentSrs = "EPSG:32660"; // 500 km round 177 E on the equator
-  options.extent = {{250000, 10000, 750000, 400000}};
+  options.input.extentSrs = "EPSG:32660"; // 500 km round 177 E on the equator
+  options.input.extent = {{250000, 10000, 750000, 400000}};
   factory = openSource(options);
   ASSERT_TRUE(factory);
   EXPECT_NEAR(174.75, factory->extent()[0].west, 0.02);
@@ -182,15 +182,18 @@ TEST(TargetExtent, InAnotherSystemAndAcrossTheAntimeridian) {
 }
 
 TEST(TargetExtent, ThatMissesOrIsEmptyIsAnError) {
-  BuildOptions options = optionsFor(write(degreeRaster(0, 20, 200, 20)));
+  SourceOptions options = optionsFor(write(degreeRaster(0, 20, 200, 20)));
   std::vector<std::string> warnings;
-  options.extent = {{50, 0, 60, 10}};
-  EXPECT_EQ(Code::input, openRasterSource(options, warnings).status().code());
-  options.extent = {{10, 0, 5, 10}};
-  EXPECT_EQ(Code::usage, openRasterSource(options, warnings).status().code());
-  options.extent = {{0, 0, 5, 10}};
-  options.extentSrs = "EPSG:nothing";
-  EXPECT_EQ(Code::usage, openRasterSource(options, warnings).status().code());
+  options.input.extent = {{50, 0, 60, 10}};
+  EXPECT_EQ(Code::input,
+            openRasterSource(options.input, options.heights, warnings).status().code());
+  options.input.extent = {{10, 0, 5, 10}};
+  EXPECT_EQ(Code::usage,
+            openRasterSource(options.input, options.heights, warnings).status().code());
+  options.input.extent = {{0, 0, 5, 10}};
+  options.input.extentSrs = "EPSG:nothing";
+  EXPECT_EQ(Code::usage,
+            openRasterSource(options.input, options.heights, warnings).status().code());
 }
 
 std::string writeText(const std::string& name, const std::string& text) {
@@ -224,8 +227,8 @@ TEST(Cutline, EqualsPointInPolygon) {
   polygon.addRing(&outer);
   polygon.addRing(&inner);
   char* text = polygon.exportToJson();
-  BuildOptions options = optionsFor(write(degreeRaster(0, 20, 200, 20)));
-  options.cutline = writeText("cut.geojson", geoJson(text));
+  SourceOptions options = optionsFor(write(degreeRaster(0, 20, 200, 20)));
+  options.input.cutline = writeText("cut.geojson", geoJson(text));
   CPLFree(text);
   const FactoryPtr factory = openSource(options);
   ASSERT_TRUE(factory);
@@ -247,9 +250,9 @@ TEST(Cutline, EqualsPointInPolygon) {
 }
 
 TEST(Cutline, InAnotherSystemAndOverlapping) {
-  BuildOptions options = optionsFor(write(degreeRaster(10, 50, 400, 4)));
+  SourceOptions options = optionsFor(write(degreeRaster(10, 50, 400, 4)));
   // Two squares of 100 km that overlap by half: the union counts, not the exclusive or.
-  options.cutline = writeText(
+  options.input.cutline = writeText(
       "utm.geojson",
       geoJson(
           R"({"type":"MultiPolygon","coordinates":[[[[400000,5200000],[500000,5200000],[500000,5300000],)"
@@ -271,20 +274,21 @@ TEST(Cutline, InAnotherSystemAndOverlapping) {
 }
 
 TEST(Cutline, WithoutPolygonsIsAnError) {
-  BuildOptions options = optionsFor(write(degreeRaster(0, 20, 200, 20)));
+  SourceOptions options = optionsFor(write(degreeRaster(0, 20, 200, 20)));
   std::vector<std::string> warnings;
   for (const std::string& path :
        {writeText("points.geojson", geoJson(R"({"type":"Point","coordinates":[1,2]})")),
         writeText("none.txt", "nothing"), std::string("/vsimem/gdalio/missing.shp")}) {
-    options.cutline = path;
-    const auto opened = openRasterSource(options, warnings);
+    options.input.cutline = path;
+    const auto opened = openRasterSource(options.input, options.heights, warnings);
     EXPECT_EQ(Code::input, opened.status().code());
     EXPECT_NE(std::string::npos, opened.status().message().find(path)) << opened.status().message();
   }
-  options.cutline =
+  options.input.cutline =
       writeText("far.geojson",
                 geoJson(R"({"type":"Polygon","coordinates":[[[60,1],[70,1],[70,9],[60,1]]]})"));
-  EXPECT_EQ(Code::input, openRasterSource(options, warnings).status().code());
+  EXPECT_EQ(Code::input,
+            openRasterSource(options.input, options.heights, warnings).status().code());
 }
 
 } // namespace

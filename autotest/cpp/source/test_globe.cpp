@@ -58,8 +58,8 @@ TEST(Globe, InterpolatesAcrossTheSeam) {
   for (Resampling resampling : {Resampling::bilinear, Resampling::cubic, Resampling::lanczos}) {
     MadeRaster made = globe(-180, 8, 4);
     made.value = [](int c, int) { return c == 0 ? 300 : c == 7 ? 100 : 0; };
-    BuildOptions options = optionsFor(write(made));
-    options.resampling = resampling;
+    SourceOptions options = optionsFor(write(made));
+    options.input.resampling = resampling;
     const FactoryPtr factory = openSource(options);
     ASSERT_TRUE(factory);
     const float seam = sampleNode(*factory, geodetic(0, 8), 0, 4);

@@ -11,10 +11,10 @@
 namespace qmesh {
 namespace {
 
-void expectRefused(const BuildOptions& options, Code code,
+void expectRefused(const SourceOptions& options, Code code,
                    std::initializer_list<const char*> words) {
   std::vector<std::string> warnings;
-  const auto opened = openRasterSource(options, warnings);
+  const auto opened = openRasterSource(options.input, options.heights, warnings);
   ASSERT_FALSE(opened.ok());
   const std::string& message = opened.status().message();
   EXPECT_EQ(code, opened.status().code()) << message;
@@ -50,17 +50,17 @@ TEST(BadInput, GeoreferencingAndCoordinateSystem) {
     GDALDeinitGCPs(4, gcps);
   };
   made.srs = "";
-  BuildOptions options = optionsFor(write(made));
-  options.sourceSrs = "EPSG:4326";
+  SourceOptions options = optionsFor(write(made));
+  options.input.sourceSrs = "EPSG:4326";
   expectRefused(options, Code::input, {"control points", "gdalwarp"});
 
   made = MadeRaster();
   made.srs = "";
   options = optionsFor(write(made));
   expectRefused(options, Code::input, {"raster.tif", "-s EPSG:4326"});
-  options.sourceSrs = "EPSG:4326";
+  options.input.sourceSrs = "EPSG:4326";
   EXPECT_TRUE(openSource(options)) << "-s cures it";
-  options.sourceSrs = "EPSG:bogus";
+  options.input.sourceSrs = "EPSG:bogus";
   expectRefused(options, Code::usage, {"EPSG:bogus", "-s"});
   made.srs = R"(LOCAL_CS["harbour",UNIT["metre",1]])";
   expectRefused(optionsFor(write(made)), Code::input, {"harbour", "-s"});
@@ -71,10 +71,10 @@ TEST(BadInput, GeoreferencingAndCoordinateSystem) {
 
 TEST(BadInput, Bands) {
   MadeRaster made;
-  BuildOptions options = optionsFor(write(made));
-  options.band = 2;
+  SourceOptions options = optionsFor(write(made));
+  options.input.band = 2;
   expectRefused(options, Code::input, {"no band 2", "1 to 1"});
-  options.band = 0;
+  options.input.band = 0;
   expectRefused(options, Code::input, {"no band 0"});
   made.type = GDT_CFloat32;
   expectRefused(optionsFor(write(made)), Code::input, {"complex"});
@@ -107,7 +107,7 @@ TEST(BadInput, NowhereOnTheGlobe) {
   made.srs = "EPSG:32633";
   made.geoTransform = {1e12, 1e9, 0, 1e12, 0, -1e9};
   std::vector<std::string> warnings;
-  const auto opened = openRasterSource(optionsFor(write(made)), warnings);
+  const auto opened = openRasterSource(optionsFor(write(made)).input, {}, warnings);
   EXPECT_EQ(Code::input, opened.status().code());
 }
 
@@ -136,7 +136,7 @@ TEST(BadInput, DamagedFileIsAnErrorOfTheRead) {
 TEST(OddInput, ErrorsAreNotPrinted) {
   testing::internal::CaptureStderr();
   std::vector<std::string> warnings;
-  (void)openRasterSource(optionsFor("/vsimem/gdalio/none.tif"), warnings).ok();
+  (void)openRasterSource(optionsFor("/vsimem/gdalio/none.tif").input, {}, warnings).ok();
   EXPECT_EQ("", testing::internal::GetCapturedStderr());
 }
 
@@ -201,8 +201,8 @@ TEST(OddInput, VrtZipAndSubBand) {
   const NodeLattice lattice = geodetic(5, 64);
   const auto [i, j] = nodeAt(lattice, 10.5, 49.5);
   const float want = sampleNode(*openSource(optionsFor(path)), lattice, i, j);
-  BuildOptions second = optionsFor(path);
-  second.band = 2;
+  SourceOptions second = optionsFor(path);
+  second.input.band = 2;
   EXPECT_EQ(9, sampleNode(*openSource(second), lattice, i, j));
 
   GDALDataset* source = GDALDataset::Open(path.c_str(), GDAL_OF_RASTER);

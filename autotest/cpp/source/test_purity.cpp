@@ -49,8 +49,8 @@ TEST_P(Purity, AnyPartitionGivesTheSameBits) {
   made.srs = c.srs;
   made.nodata = -9999;
   made.value = [&](int, int) { return random() % 50 == 0 ? NAN : height(random); };
-  BuildOptions options = optionsFor(write(made));
-  options.resampling = resampling;
+  SourceOptions options = optionsFor(write(made));
+  options.input.resampling = resampling;
   const FactoryPtr factory = openSource(options);
   ASSERT_TRUE(factory);
   const NodeLattice lattice = geodetic(std::max(0, c.zoom - coarser), 64);

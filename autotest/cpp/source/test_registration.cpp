@@ -84,8 +84,8 @@ TEST_P(Registration, PlaneComesBackExactly) {
   };
   if (c.point)
     made.finish = [](GDALDataset& d) { d.SetMetadataItem("AREA_OR_POINT", "Point"); };
-  BuildOptions options = optionsFor(write(made));
-  options.resampling = resampling;
+  SourceOptions options = optionsFor(write(made));
+  options.input.resampling = resampling;
   const FactoryPtr factory = openSource(options);
   ASSERT_TRUE(factory);
   const NodeLattice lattice = geodetic(c.zoom, 64);
@@ -141,10 +141,10 @@ TEST(RegistrationOnCentres, NodesOnPixelCentresTakeThePixel) {
   for (float& p : pixels)
     p = float(random() % 4000);
   made.value = [&](int c, int r) { return pixels[std::size_t(r * 32 + c)]; };
-  BuildOptions options = optionsFor(write(made));
+  SourceOptions options = optionsFor(write(made));
   for (Resampling resampling : {Resampling::nearest, Resampling::bilinear, Resampling::cubic,
                                 Resampling::lanczos, Resampling::average}) {
-    options.resampling = resampling;
+    options.input.resampling = resampling;
     const FactoryPtr factory = openSource(options);
     ASSERT_TRUE(factory);
     const auto [i, j] = nodeAt(lattice, 0, 45);

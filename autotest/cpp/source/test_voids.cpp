@@ -27,7 +27,7 @@ MadeRaster twoNodePixels(int width, int height) {
 
 /// Heights of the nodes of `made` from its north-west corner, row by row southwards, one node more
 /// than its rim on each side.
-std::vector<float> nodesAround(const BuildOptions& options, const MadeRaster& made) {
+std::vector<float> nodesAround(const SourceOptions& options, const MadeRaster& made) {
   const FactoryPtr factory = openSource(options);
   std::vector<float> out;
   if (!factory)
@@ -48,11 +48,11 @@ TEST(VoidRule, ANodeIsValidWhereAValidPixelsClosedSquareHoldsIt) {
   const double n = NAN;
   const double pixels[3][3] = {{1, n, 2}, {n, n, n}, {3, 4, n}};
   made.value = [&](int c, int r) { return pixels[r][c]; };
-  BuildOptions options = optionsFor(write(made));
+  SourceOptions options = optionsFor(write(made));
   for (Resampling resampling :
        {Resampling::nearest, Resampling::bilinear, Resampling::cubic, Resampling::cubicspline,
         Resampling::lanczos, Resampling::average}) {
-    options.resampling = resampling;
+    options.input.resampling = resampling;
     const std::vector<float> got = nodesAround(options, made);
     ASSERT_EQ(81u, got.size());
     for (int r = -1; r <= 7; ++r)
@@ -87,10 +87,10 @@ TEST(VoidRule, ReducedNodesNeedHalfOfTheirCell) {
     made.nodata = -1;
     // Node 5 of the row is at column 20; its cell is columns 18..21.
     made.value = [&](int c, int) { return c < 18 + k ? 100 : NAN; };
-    BuildOptions options = optionsFor(write(made));
+    SourceOptions options = optionsFor(write(made));
     for (Resampling resampling : {Resampling::bilinear, Resampling::cubic, Resampling::cubicspline,
                                   Resampling::lanczos, Resampling::average}) {
-      options.resampling = resampling;
+      options.input.resampling = resampling;
       const FactoryPtr factory = openSource(options);
       ASSERT_TRUE(factory);
       const auto [i, j] = nodeAt(lattice, 0, 45);
@@ -155,8 +155,8 @@ TEST(Nodata, OptionReplacesTheBandsOwn) {
   MadeRaster made = twoNodePixels(2, 1);
   made.nodata = 7;
   made.value = [](int c, int) { return c == 0 ? 7 : 8; };
-  BuildOptions options = optionsFor(write(made));
-  options.sourceNodata = 8;
+  SourceOptions options = optionsFor(write(made));
+  options.input.sourceNodata = 8;
   const std::vector<float> got = nodesAround(options, made);
   EXPECT_EQ(7, got[2 * 7 + 2]);
   EXPECT_TRUE(std::isnan(got[2 * 7 + 4]));
@@ -204,7 +204,7 @@ TEST(Values, ScaleOffsetUnitAndSignThenSeaLevelScaleThenClip) {
     d.GetRasterBand(1)->SetOffset(5);
     d.GetRasterBand(1)->SetUnitType("ft");
   };
-  BuildOptions options = optionsFor(write(made));
+  SourceOptions options = optionsFor(write(made));
   const auto centres = [&] {
     const std::vector<float> got = nodesAround(options, made);
     return std::array<float, 3>{got[2 * 9 + 2], got[2 * 9 + 4], got[2 * 9 + 6]};
@@ -213,14 +213,14 @@ TEST(Values, ScaleOffsetUnitAndSignThenSeaLevelScaleThenClip) {
   EXPECT_FLOAT_EQ(-15 * 0.3048f, h[0]);
   EXPECT_FLOAT_EQ(5 * 0.3048f, h[1]);
   EXPECT_FLOAT_EQ(25 * 0.3048f, h[2]);
-  options.bathymetry = true;
+  options.heights.bathymetry = true;
   h = centres();
   EXPECT_FLOAT_EQ(15 * 0.3048f, h[0]);
   EXPECT_FLOAT_EQ(-25 * 0.3048f, h[2]);
-  options.scaleAbove = 10;
-  options.scaleBelow = 2;
-  options.clipLow = -14;
-  options.clipHigh = 40;
+  options.heights.scaleAbove = 10;
+  options.heights.scaleBelow = 2;
+  options.heights.clipLow = -14;
+  options.heights.clipHigh = 40;
   h = centres();
   EXPECT_FLOAT_EQ(40, h[0]) << "45.72 clipped";
   EXPECT_FLOAT_EQ(-3.048f, h[1]);

@@ -30,8 +30,8 @@ int main(int argc, char** argv) {
   const float* origin = heights.data() + qmesh::kTileHalo * (kStride + 1);
   const qmesh::HeightTile tile(id, lattice, origin, kStride);
 
-  qmesh::BuildOptions options; // method greedy, normals, gzip
-  qmesh::TileJob job(options);
+  // Method greedy, normals, gzip.
+  qmesh::TileJob job(qmesh::MethodOptions{}, qmesh::OutputOptions{});
   qmesh::TileResult result;
   qmesh::StepSeconds seconds{};
   const qmesh::LevelParams level = qmesh::levelParams(scheme, id.z, 1.0, kCells);

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "mesh/curvature_grid.h"
-#include "options/level_spec.h"
 #include "simplify/cgal/edge_collapse.h"
 #include "simplify/cgal/mesh_thinning.h"
 #include "simplify/exact_refinement.h"
@@ -81,9 +80,9 @@ Status Collapse::makeRule(const HeightTile& tile, const TileFrame& frame, const 
   rule.cost = options_.cost;
   rule.volumeWeight = options_.volumeWeight;
   rule.boundaryWeight = options_.boundaryWeight;
-  const auto count = specValue(options_.edgeCount, level.zoom);
-  const auto share = specValue(options_.edgeRatio, level.zoom);
-  const auto shape = specValue(options_.shapeWeight, level.zoom);
+  const auto count = options_.edgeCount.find(level.zoom);
+  const auto share = options_.edgeRatio.find(level.zoom);
+  const auto shape = options_.shapeWeight.find(level.zoom);
   for (const auto* value : {&count, &share, &shape})
     QMESH_RETURN_IF_ERROR(value->status());
   rule.shapeWeight = shape->value_or(level.baseGrid > 1 ? kLowZoomShape : 0);

@@ -6,9 +6,9 @@
 #include <optional>
 
 #include "mesh/tin.h"
-#include "options/choices.h"
 #include "simplify/cgal/collapse_mesh.h"
 #include "simplify/cgal/star_judge.h"
+#include "simplify/method_options.h"
 
 namespace qmesh {
 

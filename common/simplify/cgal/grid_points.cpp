@@ -22,7 +22,8 @@ class GridPoints final : public PointSetMethod {
 
  protected:
   void choose(const PointSetSite& site, std::vector<NodePoint>& points) override {
-    const double cellSize = cellSize_.at(site.level.zoom, defaultCellSize(site, points.size()));
+    const double cellSize =
+        cellSize_.valueOr(site.level.zoom, defaultCellSize(site, points.size()));
     points.erase(
         CGAL::grid_simplify_point_set(points, cellSize, CGAL::parameters::point_map(PositionMap())),
         points.end());
@@ -37,7 +38,7 @@ class GridPoints final : public PointSetMethod {
     return std::sqrt(site.area() * slant / (double(count) * site.share()));
   }
 
-  LevelValue cellSize_;
+  LevelSpec cellSize_;
 };
 
 } // namespace

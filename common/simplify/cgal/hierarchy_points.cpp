@@ -30,8 +30,8 @@ class HierarchyPoints final : public PointSetMethod {
  protected:
   void choose(const PointSetSite& site, std::vector<NodePoint>& points) override {
     const int zoom = site.level.zoom;
-    const double size = clusterSize_.at(zoom, kSizeOfShare / site.share());
-    const double variance = maxVariance_.at(zoom, kVarianceOfError * site.relativeError());
+    const double size = clusterSize_.valueOr(zoom, kSizeOfShare / site.share());
+    const double variance = maxVariance_.valueOr(zoom, kVarianceOfError * site.relativeError());
     const auto parameters =
         CGAL::parameters::point_map(PositionMap())
             .size(unsigned(std::clamp(size, 1.0, kLargestCluster)))
@@ -47,8 +47,8 @@ class HierarchyPoints final : public PointSetMethod {
   /// By experiment: rough terrain gets more points than greedy gives it, smooth terrain fewer.
   static constexpr double kVarianceOfError = 8;
 
-  LevelValue clusterSize_;
-  LevelValue maxVariance_;
+  LevelSpec clusterSize_;
+  LevelSpec maxVariance_;
 };
 
 } // namespace

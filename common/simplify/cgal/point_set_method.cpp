@@ -47,21 +47,6 @@ std::vector<std::uint8_t> freeNodes(const NodeGrid& grid, const Border& border) 
 
 } // namespace
 
-LevelValue::LevelValue(const std::string& text) {
-  if (text.empty())
-    return;
-  Result<LevelSpec> spec = LevelSpec::parse(text);
-  if (spec.ok())
-    spec_ = *spec;
-}
-
-double LevelValue::at(int zoom, double otherwise) const {
-  if (!spec_)
-    return otherwise;
-  const Result<double> value = spec_->at(zoom);
-  return value.ok() ? *value : otherwise;
-}
-
 double PointSetSite::relativeError() const {
   constexpr double kWidestRelief = 40000; // metres
   return level.maxError / std::min(tile.lattice().scheme().tileMetres(level.zoom), kWidestRelief);
@@ -93,8 +78,8 @@ PointSetMethod::PointSetMethod(const MethodOptions& options)
 /// piece.
 LevelParams PointSetMethod::edgeLevel(const LevelParams& level, int cells) const {
   LevelParams edges = level;
-  edges.maxError = borderMaxError_.at(level.zoom, level.maxError);
-  const double share = borderMaxLength_.at(level.zoom, 100) / 100;
+  edges.maxError = borderMaxError_.valueOr(level.zoom, level.maxError);
+  const double share = borderMaxLength_.valueOr(level.zoom, 100) / 100;
   while (edges.baseGrid < cells && edges.baseGrid * share < 1)
     edges.baseGrid *= 2;
   return edges;
@@ -118,7 +103,7 @@ Status PointSetMethod::simplify(const HeightTile& tile, const TileFrame& frame,
   }
   addFreeEdges(site, border);
   simplifyLines(tile, frame, CurvatureGrid(frame, level),
-                borderMaxError_.at(level.zoom, level.maxError), parts_.lines);
+                borderMaxError_.valueOr(level.zoom, level.maxError), parts_.lines);
 
   parts_.nodes.clear();
   addBaseGrid(site);

@@ -6,25 +6,12 @@
 #include <string>
 #include <vector>
 
-#include "options/level_spec.h"
 #include "simplify/cgal/constrained_mesh.h"
 #include "simplify/cgal/feature_lines.h"
 #include "simplify/cgal/node_positions.h"
 #include "simplify/simplifier.h"
 
 namespace qmesh {
-
-/// A number per zoom that may be left to the method.
-class LevelValue {
- public:
-  /// REQUIRES: `text` is empty or a SPEC with a value at each zoom of the run (checkSpecs()).
-  explicit LevelValue(const std::string& text);
-
-  double at(int zoom, double otherwise) const;
-
- private:
-  std::optional<LevelSpec> spec_;
-};
 
 /// An inner node of a tile as a point of a set.
 struct NodePoint {
@@ -78,8 +65,8 @@ class PointSetMethod : public Simplifier {
   void addBaseGrid(const PointSetSite& site);
   void listPoints(const PointSetSite& site);
 
-  LevelValue borderMaxError_;
-  LevelValue borderMaxLength_;
+  LevelSpec borderMaxError_;
+  LevelSpec borderMaxLength_;
   FeatureRules rules_;
   NodePositions positions_;
   FeatureTracer tracer_;

@@ -19,13 +19,13 @@ class RandomPoints final : public PointSetMethod {
 
  protected:
   void choose(const PointSetSite& site, std::vector<NodePoint>& points) override {
-    const double removed = percent_.at(site.level.zoom, 100 * (1 - site.share()));
+    const double removed = percent_.valueOr(site.level.zoom, 100 * (1 - site.share()));
     const double kept = double(points.size()) * (100 - std::clamp(removed, 0.0, 100.0)) / 100;
     points.resize(std::size_t(kept));
   }
 
  private:
-  LevelValue percent_;
+  LevelSpec percent_;
 };
 
 } // namespace

@@ -28,7 +28,8 @@ class WlopPoints final : public PointSetMethod {
 
  protected:
   void choose(const PointSetSite& site, std::vector<NodePoint>& points) override {
-    const double percent = std::clamp(percent_.at(site.level.zoom, 100 * site.share()), 0.0, 100.0);
+    const double percent =
+        std::clamp(percent_.valueOr(site.level.zoom, 100 * site.share()), 0.0, 100.0);
     const double radius = neighbourhood(site, double(points.size()) * percent / 100);
     moved_.clear();
     CGAL::wlop_simplify_and_regularize_point_set<CGAL::Sequential_tag>(
@@ -48,7 +49,7 @@ class WlopPoints final : public PointSetMethod {
     constexpr double kRings = 1.5, kLargestShare = 1.0 / 8;
     const double area = site.area();
     const double otherwise = kRings * std::sqrt(area / std::max(count, 1.0));
-    return std::min(radius_.at(site.level.zoom, otherwise), kLargestShare * std::sqrt(area));
+    return std::min(radius_.valueOr(site.level.zoom, otherwise), kLargestShare * std::sqrt(area));
   }
 
   /// Replaces the points by the nodes that the moved ones come to.
@@ -76,8 +77,8 @@ class WlopPoints final : public PointSetMethod {
     }
   }
 
-  LevelValue percent_;
-  LevelValue radius_;
+  LevelSpec percent_;
+  LevelSpec radius_;
   int iterations_;
   std::vector<PointKernel::Point_3> moved_;
   std::vector<std::uint8_t> isPoint_; ///< by node: free to become a vertex

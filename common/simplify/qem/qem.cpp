@@ -3,7 +3,6 @@
 #include <limits>
 
 #include "mesh/curvature_grid.h"
-#include "options/level_spec.h"
 #include "simplify/finish.h"
 #include "simplify/methods.h"
 #include "simplify/metric_scale.h"
@@ -46,10 +45,10 @@ class Qem final : public Simplifier {
 
 /// The first of the thresholds that were asked for counts; the SVO has a default where none was.
 Result<Qem::Stop> Qem::stopAt(const LevelParams& level, int cells) const {
-  const auto svo = specValue(options_.svo, level.zoom);
+  const auto svo = options_.svo.find(level.zoom);
   if (!svo.ok())
     return svo.status();
-  const auto ratio = specValue(options_.ratio, level.zoom);
+  const auto ratio = options_.ratio.find(level.zoom);
   if (!ratio.ok())
     return ratio.status();
   const double all = double(cells + 1) * (cells + 1);

@@ -6,7 +6,7 @@
 
 #include "geo/vec3.h"
 #include "grid/height_tile.h"
-#include "options/method_options.h"
+#include "simplify/method_options.h"
 
 namespace qmesh {
 

@@ -5,7 +5,6 @@
 
 #include "border/dyadic_border.h"
 #include "border/edge_profile.h"
-#include "options/level_spec.h"
 #include "simplify/exact_refinement.h"
 #include "simplify/finish.h"
 #include "simplify/methods.h"
@@ -28,7 +27,7 @@ constexpr double kDefaultCurvature = 120;
 class Quadtree final : public Simplifier {
  public:
   explicit Quadtree(const MethodOptions& options)
-      : curvatureSpec_(options.curvature), byMaxError_(!options.maxError.empty()),
+      : curvatureSpec_(options.curvature), byMaxError_(options.maxError.isSet()),
         observer_(options) {}
 
   void makeBorder(const HeightTile& tile, const TileFrame& frame, const LevelParams& level,
@@ -46,7 +45,7 @@ class Quadtree final : public Simplifier {
   double factorOf(const HeightTile& tile, std::int32_t triangle) const;
   void maskVertices(int cells);
 
-  std::string curvatureSpec_;
+  LevelSpec curvatureSpec_;
   bool byMaxError_; ///< unless there is a SPEC
   Observer observer_;
   Curvature curvature_;
@@ -61,7 +60,7 @@ class Quadtree final : public Simplifier {
 /// The cumulated curvature at which cells are divided; nothing where the max error decides.
 Result<std::optional<double>> Quadtree::threshold(const HeightTile& tile,
                                                   const LevelParams& level) const {
-  auto spec = specValue(curvatureSpec_, level.zoom);
+  auto spec = curvatureSpec_.find(level.zoom);
   if (!spec.ok() || *spec || byMaxError_)
     return spec;
   const double spacing = tile.lattice().scheme().tileMetres(level.zoom) / tile.cells();

@@ -26,7 +26,7 @@ Simplified collapse(
     const HeightTile& tile, const LevelParams& level,
     const Change& change = [](MethodOptions&) {}) {
   MethodOptions options;
-  options.method = "collapse";
+  options.name = "collapse";
   change(options);
   return simplify(tile, level, *findSimplifier("collapse")->create(options));
 }
@@ -85,7 +85,7 @@ const Change kVariants[] = {
       o.cost = CollapseCost::garlandHeckbert;
       o.space = CollapseSpace::metric;
     },
-    [](MethodOptions& o) { o.shapeWeight = "1"; },
+    [](MethodOptions& o) { o.shapeWeight = spec("1"); },
 };
 
 //  A plane needs its four corners.
@@ -141,7 +141,7 @@ TEST(Collapse, MeetsAnEdgeCountToWithinOne) {
     for (const int count : {900, 1501, 4000, 12000}) {
       const Simplified made = collapse(patch.tile(), level, [&](MethodOptions& o) {
         variant(o);
-        o.edgeCount = std::to_string(count);
+        o.edgeCount = spec(std::to_string(count));
       });
       EXPECT_NEAR(double(edgesOf(made.tin)), count, 1);
       EXPECT_EQ(checkTin(made.tin), "");
@@ -155,7 +155,7 @@ TEST(Collapse, MeetsAnEdgeRatio) {
   const TerrainPatch patch(kMedium.lattice(), kMedium.id(), 1, 1, Terrain::fractal, 3);
   const double full = 3 * 64 * 64 + 2 * 64;
   const Simplified made = collapse(patch.tile(), kMedium.level(30),
-                                   [](MethodOptions& o) { o.edgeRatio = "0:1,12:0.25"; });
+                                   [](MethodOptions& o) { o.edgeRatio = spec("0:1,12:0.25"); });
   EXPECT_NEAR(double(edgesOf(made.tin)), full / 4, 1);
 }
 
@@ -164,8 +164,8 @@ TEST(Collapse, StopsWhereNothingCollapsesAnyMore) {
   for (const Terrain terrain : kTerrains) {
     SCOPED_TRACE(name(terrain));
     const TerrainPatch patch(kMedium.lattice(), kMedium.id(), 1, 1, terrain, 5);
-    const Simplified made =
-        collapse(patch.tile(), kMedium.level(60), [](MethodOptions& o) { o.edgeCount = "5"; });
+    const Simplified made = collapse(patch.tile(), kMedium.level(60),
+                                     [](MethodOptions& o) { o.edgeCount = spec("5"); });
     EXPECT_EQ(checkTin(made.tin), "");
     EXPECT_EQ(borderPlaces(made), placesOf(made.border));
     EXPECT_LT(innerNodes(made).size(), 60u);
@@ -175,14 +175,14 @@ TEST(Collapse, StopsWhereNothingCollapsesAnyMore) {
 TEST(Collapse, MoreEdgesThanThereAreIsTheStartMesh) {
   const TerrainPatch patch(kSmall.lattice(), kSmall.id(), 1, 1, Terrain::fractal, 5);
   const Simplified made =
-      collapse(patch.tile(), kSmall.level(1000), [](MethodOptions& o) { o.edgeRatio = "1"; });
+      collapse(patch.tile(), kSmall.level(1000), [](MethodOptions& o) { o.edgeRatio = spec("1"); });
   EXPECT_EQ(innerNodes(made).size(), 49u);
 }
 
 TEST(Collapse, AZoomWithoutAValueIsAnError) {
   const TerrainPatch patch(kSmall.lattice(), kSmall.id(), 1, 1, Terrain::fractal, 5);
   MethodOptions options;
-  options.edgeCount = "0-3:500";
+  options.edgeCount = spec("0-3:500");
   const LevelParams level = kSmall.level(10);
   TileFrame frame;
   frame.reset(patch.tile(), level);
@@ -304,7 +304,7 @@ TEST(Collapse, IsAPureFunctionOfTheTile) {
       const auto run = [&](Tin& tin) {
         tin = collapse(each->tile(), place.level(30), [&](MethodOptions& o) {
                 variant(o);
-                o.edgeCount = "500";
+                o.edgeCount = spec("500");
               }).tin;
       };
       Tin first, second, third;

@@ -233,10 +233,10 @@ TEST(Features, TheirPiecesAreEdgesOfTheMesh) {
   ASSERT_GE(lines.size(), 2u);
   for (const char* method : kMethods) {
     MethodOptions options;
-    options.randomPercent = "100"; // no other node on a piece
-    options.retainPercent = "0";
-    options.cellSize = options.clusterSize = "1e9";
-    options.maxVariance = "0.33";
+    options.randomPercent = spec("100"); // no other node on a piece
+    options.retainPercent = spec("0");
+    options.cellSize = options.clusterSize = spec("1e9");
+    options.maxVariance = spec("0.33");
     LevelParams bare = level;
     bare.baseGrid = 1;
     const Simplified made = simplify(patch.tile(), bare, *findSimplifier(method)->create(options));
@@ -259,8 +259,8 @@ TEST(PointSetBorder, SeamsHoldWithABorderOfItsOwn) {
     for (const Terrain terrain : kTerrains) {
       for (const char* error : {"0", "4", "500"}) {
         for (const char* length : {"100", "20", "1"}) {
-          options.borderMaxError = error;
-          options.borderMaxLength = length;
+          options.borderMaxError = spec(error);
+          options.borderMaxLength = spec(length);
           SCOPED_TRACE(testing::Message()
                        << place << " " << name(terrain) << " " << error << " " << length);
           const bool twoRows = place.y + 1 < place.lattice().scheme().tilesY(place.zoom);
@@ -290,8 +290,8 @@ TEST(PointSetBorder, FollowsItsTwoOptions) {
   level.baseGrid = 1;
   const auto made = [&](const char* error, const char* length) {
     MethodOptions options;
-    options.borderMaxError = error;
-    options.borderMaxLength = length;
+    options.borderMaxError = spec(error);
+    options.borderMaxLength = spec(length);
     return simplify(patch.tile(), level, *findSimplifier("grid")->create(options)).border;
   };
   EXPECT_EQ(made("1e5", "")[kSouth].size(), 2u);

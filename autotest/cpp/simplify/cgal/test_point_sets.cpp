@@ -108,7 +108,7 @@ struct Drawn {
 TEST(PointSets, GridKeepsOneNodeACube) {
   const Drawn drawn(Place{Profile::geodetic, 14, 16384, 8192, 8});
   MethodOptions options;
-  options.cellSize = std::to_string(drawn.place.lattice().scheme().tileMetres(14) / 8 * 4.2);
+  options.cellSize = spec(std::to_string(drawn.place.lattice().scheme().tileMetres(14) / 8 * 4.2));
   std::set<std::pair<bool, bool>> cubes;
   const auto inner = drawn.inner("grid", options);
   for (const auto& [i, j] : inner)
@@ -122,8 +122,8 @@ TEST(PointSets, GridKeepsOneNodeACube) {
 TEST(PointSets, HierarchyCutsTheLongAxisAndKeepsTheMiddle) {
   const Drawn drawn(Place{Profile::geodetic, 14, 16384, 13653, 8});
   MethodOptions options;
-  options.clusterSize = "30";
-  options.maxVariance = "0.3";
+  options.clusterSize = spec("30");
+  options.maxVariance = spec("0.3");
   const auto inner = drawn.inner("hierarchy", options);
   ASSERT_EQ(inner.size(), 2u);
   EXPECT_EQ(inner.begin()->first, 4);
@@ -147,8 +147,8 @@ int closest(const std::set<std::pair<int, int>>& nodes) {
 TEST(PointSets, WlopSpreadsWhatRandomLeavesInHeaps) {
   const Drawn drawn(Place{Profile::geodetic, 14, 16384, 8192, 64});
   MethodOptions options;
-  options.randomPercent = "98";
-  options.retainPercent = "2";
+  options.randomPercent = spec("98");
+  options.retainPercent = spec("2");
   EXPECT_LE(closest(drawn.inner("random", options)), 2);
   const auto spread = drawn.inner("wlop", options);
   EXPECT_GE(spread.size(), 75u);
@@ -159,7 +159,7 @@ TEST(PointSets, TheOrderOfATileIsItsOwn) {
   const Drawn here(Place{Profile::geodetic, 14, 100, 8192, 16});
   const Drawn there(Place{Profile::geodetic, 14, 101, 8192, 16});
   MethodOptions options;
-  options.randomPercent = "80";
+  options.randomPercent = spec("80");
   EXPECT_NE(here.inner("random", options), there.inner("random", options));
 }
 
@@ -182,9 +182,9 @@ TEST(PointSets, TheLargestTileTakesSeconds) {
 TEST(PointSets, ExtremesOfEveryParameterWork) {
   const Place place{Profile::geodetic, 12, 1411, 2828, 16};
   const TerrainPatch patch(place.lattice(), place.id(), 1, 1, Terrain::fractal, 3);
-  const auto inner = [&](const char* method, std::string MethodOptions::*field, const char* value) {
+  const auto inner = [&](const char* method, LevelSpec MethodOptions::*field, const char* value) {
     MethodOptions options;
-    options.*field = value;
+    options.*field = spec(value);
     LevelParams level = place.level(5);
     level.baseGrid = 1;
     const Simplified made = run(patch.tile(), level, method, options);
@@ -212,7 +212,7 @@ TEST(PointSets, AValueMayDifferPerZoom) {
   LevelParams level = place.level(2000);
   level.baseGrid = 1;
   MethodOptions options;
-  options.randomPercent = "0-3:0,4-:100";
+  options.randomPercent = spec("0-3:0,4-:100");
   EXPECT_TRUE(innerNodes(run(patch.tile(), level, "random", options)).empty());
   level.zoom = 3;
   EXPECT_EQ(innerNodes(run(patch.tile(), level, "random", options)).size(), 15u * 15u);

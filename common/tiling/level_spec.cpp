@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the qmesh authors
-#include "options/level_spec.h"
+#include "tiling/level_spec.h"
 
 #include <cmath>
 
 #include "base/text.h"
-#include "options/build_options.h"
 
 namespace qmesh {
 
@@ -18,7 +17,7 @@ Status fault(std::string_view piece, const std::string& cure) {
 /// A zoom of a range, -1 where `text` is none.
 int parseZoom(std::string_view text) {
   const auto zoom = parseInteger(text);
-  return zoom && *zoom >= 0 && *zoom <= kDeepestZoom ? static_cast<int>(*zoom) : -1;
+  return zoom && *zoom >= 0 && *zoom <= kMaxZoom ? static_cast<int>(*zoom) : -1;
 }
 
 /// Cuts a trailing "/2^z" or "*2^z" off `text` and returns its exponent per zoom: -1, 1, or 0.
@@ -36,6 +35,13 @@ int takeFormula(std::string_view& text) {
 
 } // namespace
 
+LevelSpec::LevelSpec(double value) : text_(formatNumber(value)) {
+  Term term;
+  term.last = kMaxZoom;
+  term.value = value;
+  terms_.push_back(term);
+}
+
 Result<LevelSpec::Term> LevelSpec::parseValue(std::string_view text) {
   std::string_view number = text;
   Term term;
@@ -45,7 +51,7 @@ Result<LevelSpec::Term> LevelSpec::parseValue(std::string_view text) {
     return fault(text, "expected a number, NUMBER/2^z or NUMBER*2^z");
   if (!(*value >= 0))
     return fault(text, "the number must be 0 or more");
-  if (!std::isfinite(std::ldexp(*value, kDeepestZoom)))
+  if (!std::isfinite(std::ldexp(*value, kMaxZoom)))
     return fault(text, "too large");
   term.value = *value;
   return term;
@@ -57,10 +63,10 @@ Status LevelSpec::parseRange(std::string_view text, Term& term) {
   const std::string_view last =
       dash == std::string_view::npos ? first : trimmed(text.substr(dash + 1));
   term.first = parseZoom(first);
-  term.last = last.empty() ? kDeepestZoom : parseZoom(last);
+  term.last = last.empty() ? kMaxZoom : parseZoom(last);
   if (first.empty() || term.first < 0 || term.last < 0)
     return fault(text, "expected a zoom or a range of zooms (3, 3-7 or 8-) from 0 to " +
-                           std::to_string(kDeepestZoom));
+                           std::to_string(kMaxZoom));
   if (term.first > term.last)
     return fault(text, "the range ends before it begins");
   return {};
@@ -84,7 +90,7 @@ Status LevelSpec::addRanges(const std::vector<std::string_view>& pieces) {
 }
 
 Status LevelSpec::addList(const std::vector<std::string_view>& pieces) {
-  if (pieces.size() > kDeepestZoom + 1u)
+  if (pieces.size() > kMaxZoom + 1u)
     return fault(pieces.back(), "more values than there are zooms");
   for (const std::string_view piece : pieces) {
     Result<Term> term = parseValue(piece);
@@ -93,7 +99,7 @@ Status LevelSpec::addList(const std::vector<std::string_view>& pieces) {
     if (term->exponent != 0 && pieces.size() > 1)
       return fault(piece, "a formula in a list needs its zooms (0-4:V,5-:V)");
     term->first = static_cast<int>(terms_.size());
-    term->last = terms_.size() + 1 == pieces.size() ? kDeepestZoom : term->first;
+    term->last = terms_.size() + 1 == pieces.size() ? kMaxZoom : term->first;
     terms_.push_back(*term);
   }
   return {};
@@ -104,6 +110,7 @@ Result<LevelSpec> LevelSpec::parse(const std::string& text) {
   for (std::string_view& piece : pieces)
     piece = trimmed(piece);
   LevelSpec spec;
+  spec.text_ = text;
   const bool ranges = text.find(':') != std::string::npos;
   QMESH_RETURN_IF_ERROR(ranges ? spec.addRanges(pieces) : spec.addList(pieces));
   return spec;
@@ -117,16 +124,18 @@ Result<double> LevelSpec::at(int zoom) const {
                                  "; add it, for example as '" + std::to_string(zoom) + "-:V'");
 }
 
-Result<std::optional<double>> specValue(const std::string& text, int zoom) {
-  if (text.empty())
+Result<std::optional<double>> LevelSpec::find(int zoom) const {
+  if (!isSet())
     return std::optional<double>();
-  const Result<LevelSpec> spec = LevelSpec::parse(text);
-  if (!spec.ok())
-    return spec.status();
-  const Result<double> value = spec->at(zoom);
+  const Result<double> value = at(zoom);
   if (!value.ok())
     return value.status();
   return std::optional<double>(*value);
+}
+
+double LevelSpec::valueOr(int zoom, double otherwise) const {
+  const Result<double> value = at(zoom);
+  return value.ok() ? *value : otherwise;
 }
 
 } // namespace qmesh

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/status.h"
+#include "tiling/scheme.h"
 
 namespace qmesh {
 
@@ -20,16 +21,28 @@ namespace qmesh {
 /// numbers, ranges may not overlap, and zooms they leave out have no value.
 class LevelSpec {
  public:
+  /// Not set: has no value at any zoom, and no text.
+  LevelSpec() = default;
+  /// The same value, finite and >= 0, at all zooms.
+  explicit LevelSpec(double value);
   /// Code::usage with the place of the fault where `text` is malformed.
   static Result<LevelSpec> parse(const std::string& text);
 
+  bool isSet() const { return !terms_.empty(); }
+  /// As it was parsed; empty where it is not set.
+  const std::string& text() const { return text_; }
+
   /// The value at a zoom, or Code::usage when a range leaves that zoom out.
   Result<double> at(int zoom) const;
+  /// The same; nothing where it is not set.
+  Result<std::optional<double>> find(int zoom) const;
+  /// The value at a zoom; `otherwise` where it has none.
+  double valueOr(int zoom, double otherwise) const;
 
  private:
   struct Term {
     int first = 0;
-    int last = 0; ///< kDeepestZoom when open
+    int last = 0; ///< kMaxZoom when open
     double value = 0;
     int exponent = 0; ///< value * 2^(exponent * z)
   };
@@ -39,10 +52,8 @@ class LevelSpec {
   Status addRanges(const std::vector<std::string_view>& pieces);
   Status addList(const std::vector<std::string_view>& pieces);
 
+  std::string text_;
   std::vector<Term> terms_;
 };
-
-/// The value at a zoom of an option that need not be set: nullopt where `text` is empty.
-Result<std::optional<double>> specValue(const std::string& text, int zoom);
 
 } // namespace qmesh

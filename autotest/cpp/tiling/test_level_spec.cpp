@@ -7,14 +7,11 @@
 #include <random>
 
 #include "base/text.h"
-#include "options/build_options.h"
-#include "options/level_spec.h"
+#include "tiling/level_spec.h"
 #include "tiling/scheme.h"
 
 namespace qmesh {
 namespace {
-
-static_assert(kDeepestZoom == kMaxZoom, "the options must take every zoom there is");
 
 /// A SPEC and its values as "ZOOM=VALUE ...", VALUE "-" where the zoom has none.
 struct Case {
@@ -91,17 +88,17 @@ TEST(LevelSpec, RandomRangesMatchATable) {
   constexpr unsigned kSeed = 7;
   std::mt19937 random(kSeed);
   for (int round = 0; round < 2000; ++round) {
-    std::array<double, kDeepestZoom + 1> table;
+    std::array<double, kMaxZoom + 1> table;
     table.fill(-1);
     std::string text;
-    for (int zoom = static_cast<int>(random() % 4); zoom <= kDeepestZoom;) {
-      const int last = std::min<int>(zoom + static_cast<int>(random() % 6), kDeepestZoom);
+    for (int zoom = static_cast<int>(random() % 4); zoom <= kMaxZoom;) {
+      const int last = std::min<int>(zoom + static_cast<int>(random() % 6), kMaxZoom);
       const double value = static_cast<double>(random() % 100000) / 64;
       const int exponent = static_cast<int>(random() % 3) - 1;
       for (int z = zoom; z <= last; ++z)
         table[static_cast<std::size_t>(z)] = value * std::pow(2.0, exponent * z);
       const std::string range = zoom == last ? std::to_string(zoom)
-                                : last == kDeepestZoom
+                                : last == kMaxZoom
                                     ? std::to_string(zoom) + "-"
                                     : std::to_string(zoom) + "-" + std::to_string(last);
       const char* formulas[] = {"/2^z", "", "*2^z"};
@@ -111,7 +108,7 @@ TEST(LevelSpec, RandomRangesMatchATable) {
     }
     const Result<LevelSpec> spec = LevelSpec::parse(text);
     ASSERT_TRUE(spec.ok()) << text << ": " << spec.status().message() << ", seed " << kSeed;
-    for (int z = 0; z <= kDeepestZoom; ++z) {
+    for (int z = 0; z <= kMaxZoom; ++z) {
       const Result<double> value = spec->at(z);
       ASSERT_EQ(value.ok() ? *value : -1, table[static_cast<std::size_t>(z)])
           << text << " at " << z;
@@ -133,7 +130,7 @@ TEST(LevelSpec, AnyTextIsAnswered) {
     if (!spec.ok())
       continue;
     ++accepted;
-    for (int z = 0; z <= kDeepestZoom; ++z) {
+    for (int z = 0; z <= kMaxZoom; ++z) {
       const Result<double> value = spec->at(z);
       if (value.ok()) {
         ASSERT_TRUE(std::isfinite(*value) && *value >= 0) << text;
