@@ -9,7 +9,8 @@
 #   --quick  unit tests and the tests of the commands only
 #   --full   also the whole matrix of real DEMs and profiles
 # QMESH_TEST_DATA names a folder of real DEMs (default ../shared/data beside this tree); without it the tests that
-# need them are skipped and say so. What each stage printed is kept in build/test-logs.
+# need them are skipped and say so. What each stage printed is kept in build/test-logs. All builds share one compiler
+# cache (ccache). Stages that compile run beside those that use the commands.
 set -uo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -29,6 +30,8 @@ passed=0 failed=0 skipped=0
 export QMESH_TEST_DATA=${QMESH_TEST_DATA:-$root/../shared/data}
 export QMESH_BIN=$root/build/bin/gdal2qmesh
 if [ "$mode" = full ]; then export QMESH_FULL=1; fi
+# For new build folders: the others keep what they were made with.
+export CMAKE_GENERATOR=Ninja CMAKE_CXX_COMPILER_LAUNCHER=ccache CCACHE_BASEDIR=$root CCACHE_NOHASHDIR=1
 
 # ---- Counting -------------------------------------------------------------------------------------
 
@@ -79,26 +82,50 @@ count_none() {
 
 # ---- Stages ---------------------------------------------------------------------------------------
 
-# stage COUNTER NAME MINUTES COMMAND...: runs a command with a time limit, keeps its words in a log, shows
-# them if it fails, counts. Returns the command's status.
+# stage COUNTER NAME MINUTES COMMAND...: runs a command with a time limit, keeps its output in a log, counts, and
+# prints the result; if it failed, also the end of the log. Returns the command's status.
 stage() {
   local counter=$1 name=$2 minutes=$3 log status started=$SECONDS before_ok=$passed before_bad=$failed
   shift 3
   log=$logs/${name// /-}.log
-  printf '%-34s ' "$name"
   if declare -F "$1" >/dev/null; then "$@" >"$log" 2>&1 </dev/null
   else timeout --kill-after=20 "${minutes}m" "$@" >"$log" 2>&1 </dev/null; fi
   status=$?
   "$counter" "$log" "$status"
-  printf '%5d s   %d passed, %d failed\n' $((SECONDS - started)) $((passed - before_ok)) $((failed - before_bad))
+  echo "$(describe $((SECONDS - started)) $((passed - before_ok)) $((failed - before_bad)))"
+  return "$status"
+}
+
+# What stage prints, at once: lines of two lanes do not mix. Uses the variables of stage.
+describe() {
+  printf '%-34s %5d s   %d passed, %d failed\n' "$name" "$1" "$2" "$3"
   grep -hE '^SKIPPED|^\[  SKIPPED \] [^0-9]|^Real DEMs not found' "$log" | sort -u | head -n 20 | sed 's/^/    /'
-  if [ $((failed - before_bad)) -gt 0 ]; then
+  if [ "$3" -gt 0 ]; then
     [ "$status" != 124 ] || echo "    stopped after $minutes minutes"
     echo "---- the end of $log"
     tail -n 120 "$log"
     echo "----"
   fi
-  return "$status"
+}
+
+# lane FUNCTION: runs a function that calls stages beside the rest of the script; join FUNCTION... waits and counts.
+lane() {
+  rm -f "$logs/$1.counts"
+  (
+    passed=0 failed=0 skipped=0
+    "$1"
+    echo "$passed $failed $skipped" >"$logs/$1.counts"
+  ) &
+}
+
+join() {
+  local name ok bad missed
+  wait
+  for name in "$@"; do
+    if [ ! -e "$logs/$name.counts" ]; then echo "$name ended early"; add 0 1 0; continue; fi
+    read -r ok bad missed <"$logs/$name.counts"
+    add "$ok" "$bad" "$missed"
+  done
 }
 
 # The build tree of a preset, its unit tests included.
@@ -163,26 +190,51 @@ python=$(python_with_gdal) || {
   finish
 }
 pytest=("$python" -m pytest -rs -q -p no:cacheprovider)
-stage count_pytest "commands" "$([ "$mode" = full ] && echo 120 || echo 20)" "${pytest[@]}" autotest/utils
-stage count_pytest "driver" 10 "${pytest[@]}" autotest/driver
+system_pytest=(/usr/bin/python3 -m pytest -rs -q -p no:cacheprovider)
+# A file of tests stays in one process: its tests share tilesets.
+spread=()
+if "$python" -c 'import xdist' 2>/dev/null; then spread=(-n "$cores" --dist loadfile); fi
 
-if [ "$mode" != quick ]; then
+# What needs the commands and the driver of build/.
+programs() {
+  stage count_pytest "commands" "$([ "$mode" = full ] && echo 120 || echo 20)" \
+    "${pytest[@]}" "${spread[@]}" autotest/utils
+  stage count_pytest "driver" 10 "${pytest[@]}" "${spread[@]}" autotest/driver
+  [ "$mode" != quick ] || return 0
   stage count_none "node packages" 10 node_packages &&
     stage count_pytest "clients" 15 "${pytest[@]}" autotest/clients
   stage count_none "documentation packages" 10 \
     qmesh_install "${QMESH_DOCS_PACKAGES[@]}" "${QMESH_DOCS_TEST_PACKAGES[@]}" &&
-    stage count_pytest "documentation" 15 /usr/bin/python3 -m pytest -rs -q -p no:cacheprovider autotest/docs
-  stage count_pytest "install" 10 /usr/bin/python3 -m pytest -rs -q -p no:cacheprovider autotest/install
+    stage count_pytest "documentation" 15 "${system_pytest[@]}" autotest/docs
+  stage count_pytest "install" 10 "${system_pytest[@]}" autotest/install
   stage count_none "QGIS packages" 10 qmesh_install "${QMESH_QGIS_PACKAGES[@]}" &&
-    stage count_pytest "QGIS" 10 /usr/bin/python3 -m pytest -rs -q -p no:cacheprovider autotest/qgis
-  stage count_one "newest GDAL headers" 8 autotest/driver/newest_gdal.sh
+    stage count_pytest "QGIS" 10 "${system_pytest[@]}" autotest/qgis
+}
+
+# All unit tests but those that take minutes without optimization. They run in the other builds.
+quick_cases="-PointSets.*:Seams.*:Compared.*:Determinism.*:Inherit.Every*:*EveryTerrainAndPlace:*OnTheGlobe/*"
+quick_cases+=":*OnLargeTiles/*:*KeepsFinalEdges*:Quadtree.IsAMesh*:*/wlop:*/collapse:RealDems.*"
+
+# What compiles, and runs what it compiled.
+builds() {
   stage count_one "benchmark programs" 5 bench_programs
+  stage count_one "newest GDAL headers" 8 autotest/driver/newest_gdal.sh
   stage count_none "build without CGAL" 15 build_preset without-cgal &&
     stage count_ctest "unit tests without CGAL" 15 unit_tests build-without-cgal &&
     stage count_pytest "methods without CGAL" 10 \
       env QMESH_BIN="$root/build-without-cgal/bin/gdal2qmesh" "${pytest[@]}" autotest/utils/test_methods.py
+  stage count_none "build without optimization" 15 build_preset debug &&
+    GTEST_FILTER=$quick_cases stage count_ctest "unit tests without optimization" 15 unit_tests build-debug
   stage count_none "build with sanitizers" 15 build_preset sanitize &&
     stage count_ctest "unit tests with sanitizers" 15 unit_tests build-sanitize
   stage count_one "fuzzing" 8 autotest/fuzz/run.sh build-fuzz 20
+}
+
+if [ "$mode" = quick ]; then
+  programs
+else
+  lane builds
+  lane programs
+  join builds programs
 fi
 finish

@@ -12,7 +12,8 @@ QMESH_BUILD_PACKAGES=(
 QMESH_VIEW_PACKAGES=(python3:python3)
 QMESH_TEST_PACKAGES=(
   libgtest-dev libbenchmark-dev clang:clang "libclang-rt-dev?"
-  gdal-bin python3-gdal python3-numpy python3-scipy python3-pytest python3-jsonschema
+  ccache:ccache ninja:ninja-build
+  gdal-bin python3-gdal python3-numpy python3-scipy python3-pytest python3-pytest-xdist python3-jsonschema
   node:nodejs npm:npm "chromium|chromium-browser"
   pkg-config:pkg-config man:man-db
 )
