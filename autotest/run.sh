@@ -230,6 +230,7 @@ builds() {
   stage count_one "fuzzing" 8 autotest/fuzz/run.sh build-fuzz 20
 }
 
+stage count_pytest "lint" 10 "${pytest[@]}" autotest/lint
 if [ "$mode" = quick ]; then
   programs
 else
