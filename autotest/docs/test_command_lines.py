@@ -24,9 +24,11 @@ ELSEWHERE = {
     "autotest/run.sh": "this run itself",
     "autotest/run.sh --quick": "this run itself, in part",
     "autotest/run.sh --full": "by hand before a release",
+    "python3 -m pytest -q autotest/lint": "autotest/run.sh, stage `lint`",
 }
 ELSEWHERE_BEGINNINGS = {
     "cmake ": "autotest/run.sh builds with the presets, autotest/install installs",
+    "python3 autotest/lint/same_trees.py ": "by hand for a change that keeps the output",
     "python3 autotest/bench/": "autotest/utils/test_bench.py; the long ones by hand for docs/benchmarks.md",
     "valgrind --tool=callgrind build/bin/": "by hand for docs/benchmarks.md",
     "callgrind_annotate": "by hand for docs/benchmarks.md",
