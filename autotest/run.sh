@@ -128,6 +128,16 @@ join() {
   done
 }
 
+# Ends what a process has started. Ctrl-C does not reach lanes by itself.
+end_children() {
+  local child
+  for child in $(cat "/proc/$1/task/$1/children"); do
+    end_children "$child"
+    kill "$child"
+  done 2>/dev/null
+}
+trap 'end_children $$; exit 130' INT TERM
+
 # The build tree of a preset, its unit tests included.
 build_preset() {
   cmake --preset "$1" && cmake --build --preset "$1" --parallel "$cores"
