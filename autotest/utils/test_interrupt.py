@@ -22,14 +22,19 @@ def large(tmp_path_factory):
     )
 
 
-def stop_in_the_middle(process, output, number):
-    """Sends the signal once tiles are being written."""
+def wait_for_tiles(process, output, number=1):
+    """Returns when so many tiles lie in the output folder and those hidden in it."""
     deadline = time.monotonic() + 60
-    while not any(output.rglob("*.terrain")) if output.exists() else True:
+    while len(list(output.rglob("*.terrain")) if output.exists() else []) < number:
         assert process.poll() is None, "it ended before it was stopped"
         assert time.monotonic() < deadline, "no tile was written within a minute"
         time.sleep(0.02)
     time.sleep(0.1)
+
+
+def stop_in_the_middle(process, output, number):
+    """Sends the signal once tiles are being written."""
+    wait_for_tiles(process, output)
     assert process.poll() is None, "it ended before it was stopped"
     process.send_signal(number)
     _, err = process.communicate(timeout=60)
@@ -53,7 +58,7 @@ def test_a_signal_keeps_the_old_set(tmp_path, large):
     before = harness.tree(output)
     kept = shutil.copytree(output, tmp_path / "kept")
     process = harness.start(*SLOW, "--overwrite", large, output)
-    time.sleep(0.5)
+    wait_for_tiles(process, output, 1 + sum(name.endswith(".terrain") for name in before))
     during = {name: harness.tree(output / name) for name in ("0", "4")}
     assert process.poll() is None, "it ended before it was looked at"
     assert during == {name: harness.tree(kept / name) for name in ("0", "4")}
