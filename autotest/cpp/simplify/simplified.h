@@ -12,9 +12,9 @@
 
 namespace qmesh::test {
 
-/// REQUIRES: `text` is a SPEC.
+/// REQUIRES: `text` is a SPEC, or empty: not set.
 inline LevelSpec spec(const std::string& text) {
-  return *LevelSpec::parse(text);
+  return text.empty() ? LevelSpec() : *LevelSpec::parse(text);
 }
 
 /// A tile with all that was made of it.
