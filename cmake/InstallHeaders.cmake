@@ -1,11 +1,14 @@
 # SPDX-License-Identifier: MIT
-# Run by `cmake --install`: the headers of common/FOLDER/ with includes as a user of the library
-# sees them. Wants: folders, source, staging, destination (absolute, without DESTDIR).
+# Run by `cmake --install`: the headers of common/FOLDER/ and its subfolders, with includes as a user
+# of the library sees them. Private ones (see autotest/lint/rules.py) are left out. Wants: folders, source, staging, destination (absolute, without DESTDIR).
 list(JOIN folders "|" pattern)
 foreach(folder IN LISTS folders)
-  file(GLOB headers RELATIVE ${source} ${source}/${folder}/*.h)
+  file(GLOB_RECURSE headers RELATIVE ${source} ${source}/${folder}/*.h)
   foreach(header IN LISTS headers)
     file(READ ${source}/${header} text)
+    if(text MATCHES "// Private header: not installed\\.")
+      continue()
+    endif()
     string(REGEX REPLACE "#include \"((${pattern})/)" "#include \"qmesh/\\1" text "${text}")
     set(old "")
     if(EXISTS ${staging}/${header})
@@ -14,6 +17,7 @@ foreach(folder IN LISTS folders)
     if(NOT text STREQUAL old)
       file(WRITE ${staging}/${header} "${text}")
     endif()
-    file(INSTALL ${staging}/${header} DESTINATION ${destination}/${folder})
+    get_filename_component(below ${header} DIRECTORY)
+    file(INSTALL ${staging}/${header} DESTINATION ${destination}/${below})
   endforeach()
 endforeach()

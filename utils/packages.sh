@@ -15,7 +15,7 @@ QMESH_TEST_PACKAGES=(
   ccache:ccache ninja:ninja-build
   gdal-bin python3-gdal python3-numpy python3-scipy python3-pytest python3-pytest-xdist python3-jsonschema
   node:nodejs npm:npm "chromium|chromium-browser"
-  pkg-config:pkg-config man:man-db
+  pkg-config:pkg-config man:man-db clang-format:clang-format clang-tidy:clang-tidy
 )
 QMESH_DOCS_PACKAGES=(python3-sphinx python3-myst-parser furo)
 QMESH_DOCS_TEST_PACKAGES=(nginx-light apache2-bin man-db)

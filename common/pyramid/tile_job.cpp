@@ -10,7 +10,7 @@
 #include "geo/bounding.h"
 #include "geo/ellipsoid.h"
 #include "geo/octahedral.h"
-#include "pyramid/inherited_border.h"
+#include "pyramid/inherit/inherited_border.h"
 
 namespace qmesh {
 

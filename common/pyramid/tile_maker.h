@@ -2,8 +2,8 @@
 // Copyright (c) 2026 the qmesh authors
 #pragma once
 
-#include "pyramid/block_result.h"
-#include "pyramid/block_windows.h"
+#include "pyramid/blocks/block_result.h"
+#include "pyramid/blocks/block_windows.h"
 #include "pyramid/run_context.h"
 #include "pyramid/tile_job.h"
 

@@ -3,9 +3,9 @@
 #include "pyramid/tileset_builder.h"
 
 #include "base/stopwatch.h"
-#include "pyramid/inherit_runner.h"
+#include "pyramid/blocks/stage_runner.h"
+#include "pyramid/inherit/inherit_runner.h"
 #include "pyramid/layer_record.h"
-#include "pyramid/stage_runner.h"
 
 namespace qmesh {
 

@@ -9,7 +9,7 @@
 #include "base/progress.h"
 #include "base/status.h"
 #include "pyramid/block_plan.h"
-#include "pyramid/block_scheduler.h"
+#include "pyramid/blocks/block_scheduler.h"
 #include "pyramid/report.h"
 #include "sink/tile_sink.h"
 

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "grid/reduce.h"
-#include "pyramid/schedule.h"
+#include "pyramid/inherit/schedule.h"
 #include "tiling/scheme.h"
 
 namespace qmesh {

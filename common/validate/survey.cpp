@@ -57,7 +57,7 @@ class TileRows {
 
 /// What is kept of a tile until its turn comes.
 struct SeenTile {
-  LevelStats stats; ///< of this tile
+  SurveyLevel stats; ///< of this tile
   Findings findings;
   std::array<TileEdge, 4> edges;
   Status fault;
@@ -76,7 +76,7 @@ class Surveyor {
  private:
   SeenTile look(TileId tile) const;
   void check(TileId tile, const ReadTile& read, SeenTile& seen) const;
-  Status take(TileId tile, SeenTile seen, LevelStats& level, SeamWalk& seams);
+  Status take(TileId tile, SeenTile seen, SurveyLevel& level, SeamWalk& seams);
 
   const TerrainSet& set_;
   bool announced_;
@@ -87,7 +87,7 @@ class Surveyor {
   Survey survey_;
 };
 
-void fill(LevelStats& stats, const ReadTile& read, std::size_t storedBytes) {
+void fill(SurveyLevel& stats, const ReadTile& read, std::size_t storedBytes) {
   const TileMesh& mesh = *read.mesh;
   const auto has = [&](int id) {
     return std::uint64_t(std::count(read.extensions.begin(), read.extensions.end(), id) > 0);
@@ -107,7 +107,7 @@ void fill(LevelStats& stats, const ReadTile& read, std::size_t storedBytes) {
   stats.compressed = read.compressed;
 }
 
-void addStats(LevelStats& to, const LevelStats& tile) {
+void addStats(SurveyLevel& to, const SurveyLevel& tile) {
   if (tile.tiles == 0)
     return;
   to.lowest = to.tiles == 0 ? tile.lowest : std::min(to.lowest, tile.lowest);
@@ -159,7 +159,7 @@ void Surveyor::check(TileId tile, const ReadTile& read, SeenTile& seen) const {
   seen.edges = tileEdges(*read.mesh);
 }
 
-Status Surveyor::take(TileId tile, SeenTile seen, LevelStats& level, SeamWalk& seams) {
+Status Surveyor::take(TileId tile, SeenTile seen, SurveyLevel& level, SeamWalk& seams) {
   if (!progress_(double(++done_) / double(std::max<std::uint64_t>(total_, 1))))
     return {Code::interrupted, "stopped before the end"};
   if (!plan_.book && !seen.fault.ok())
@@ -174,7 +174,7 @@ Status Surveyor::take(TileId tile, SeenTile seen, LevelStats& level, SeamWalk& s
 }
 
 Status Surveyor::level(int zoom) {
-  LevelStats level;
+  SurveyLevel level;
   level.zoom = zoom;
   SeamWalk seams(set_.scheme(), zoom, survey_.seams);
   TileRows rows(zoom, set_.available().ranges(zoom));
@@ -210,7 +210,7 @@ void checkFiles(const OpenedSet& opened, const SurveyPlan& plan) {
 
 void checkCompression(const Survey& survey, FindingBook& book) {
   std::uint64_t compressed = 0;
-  for (const LevelStats& level : survey.levels)
+  for (const SurveyLevel& level : survey.levels)
     compressed += level.compressed;
   const std::string what =
       std::to_string(compressed) + " of " + std::to_string(survey.tiles) + " tiles";

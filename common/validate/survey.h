@@ -16,7 +16,7 @@
 namespace qmesh {
 
 /// What the tiles of a level hold together.
-struct LevelStats {
+struct SurveyLevel {
   int zoom = 0;
   std::uint64_t tiles = 0; ///< read
   std::uint64_t bytes = 0; ///< as stored
@@ -32,7 +32,7 @@ struct LevelStats {
 
 /// What reading the tiles of a set has shown.
 struct Survey {
-  std::vector<LevelStats> levels;
+  std::vector<SurveyLevel> levels;
   std::uint64_t tiles = 0; ///< read
   SeamReport seams;
 };

@@ -77,7 +77,7 @@ Json levelsJson(const TerrainSet& set) {
 
 Json surveyJson(const Survey& survey) {
   Json levels = Json::array();
-  for (const LevelStats& stats : survey.levels) {
+  for (const SurveyLevel& stats : survey.levels) {
     Json level = {{"zoom", stats.zoom},
                   {"tiles", stats.tiles},
                   {"bytes", stats.bytes},

@@ -118,15 +118,15 @@ std::string surveyText(const Survey& survey) {
   std::vector<std::vector<std::string>> rows = {{"zoom", "tiles", "bytes", "triangles", "vertices",
                                                  "lowest m", "highest m", "normals", "water masks",
                                                  "metadata", "gzip"}};
-  LevelStats sum;
-  const auto row = [&](const std::string& name, const LevelStats& level) {
+  SurveyLevel sum;
+  const auto row = [&](const std::string& name, const SurveyLevel& level) {
     const bool any = level.tiles > 0;
     rows.push_back({name, whole(level.tiles), whole(level.bytes), whole(level.triangles),
                     whole(level.vertices), any ? fixed(level.lowest, 3) : "-",
                     any ? fixed(level.highest, 3) : "-", whole(level.normals),
                     whole(level.waterMasks), whole(level.metadata), whole(level.compressed)});
   };
-  for (const LevelStats& level : survey.levels) {
+  for (const SurveyLevel& level : survey.levels) {
     row(std::to_string(level.zoom), level);
     sum.lowest = sum.tiles == 0 ? level.lowest : std::min(sum.lowest, level.lowest);
     sum.highest = sum.tiles == 0 ? level.highest : std::max(sum.highest, level.highest);

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <random>
 
-#include "pyramid/upward_job.h"
+#include "pyramid/blocks/upward_job.h"
 #include "synthetic.h"
 
 namespace qmesh {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the qmesh authors
-#include "pyramid/chunk_store.h"
+#include "pyramid/blocks/chunk_store.h"
 
 #include <cmath>
 #include <cstring>

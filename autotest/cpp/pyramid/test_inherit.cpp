@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "grid/void_fill.h"
-#include "pyramid/inherited_border.h"
-#include "pyramid/schedule.h"
+#include "pyramid/inherit/inherited_border.h"
+#include "pyramid/inherit/schedule.h"
 #include "pyramid/tile_job.h"
 #include "synthetic.h"
 

@@ -5,9 +5,9 @@
 
 #include <gtest/gtest.h>
 
-#include "pyramid/edge_store.h"
-#include "pyramid/schedule.h"
-#include "pyramid/tile_queue.h"
+#include "pyramid/inherit/edge_store.h"
+#include "pyramid/inherit/schedule.h"
+#include "pyramid/inherit/tile_queue.h"
 
 namespace qmesh {
 namespace {

@@ -61,7 +61,7 @@ bool isSharp(const Vec3& a, const Vec3& b, double cosine) {
 } // namespace
 
 const std::vector<NodeLine>& FeatureTracer::trace(const HeightTile& tile,
-                                                  const NodePositions& positions,
+                                                  const MetricNodes& positions,
                                                   const FeatureRules& rules,
                                                   const std::vector<std::uint8_t>& mayEnd) {
   tile_ = &tile;
@@ -84,7 +84,7 @@ const std::vector<NodeLine>& FeatureTracer::trace(const HeightTile& tile,
   return lines_;
 }
 
-void FeatureTracer::findSharpEdges(const NodePositions& positions, double angleDegrees) {
+void FeatureTracer::findSharpEdges(const MetricNodes& positions, double angleDegrees) {
   const int n = grid_.cells();
   const double cosine = std::cos(angleDegrees * wgs84::kRadiansPerDegree);
   sharp_.assign(grid_.size(), 0);
@@ -100,7 +100,7 @@ void FeatureTracer::findSharpEdges(const NodePositions& positions, double angleD
   }
 }
 
-void FeatureTracer::readRow(const NodePositions& positions, int j, std::vector<Vec3>& row) const {
+void FeatureTracer::readRow(const MetricNodes& positions, int j, std::vector<Vec3>& row) const {
   row.clear();
   for (int i = 0; i <= grid_.cells(); ++i)
     row.push_back(positions.at(i, j));

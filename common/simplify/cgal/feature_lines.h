@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the qmesh authors
+//
+// Private header: not installed.
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
 #include "grid/height_tile.h"
+#include "simplify/cgal/metric_nodes.h"
 #include "simplify/cgal/node_index.h"
-#include "simplify/cgal/node_positions.h"
 
 namespace qmesh {
 
@@ -24,13 +26,13 @@ class FeatureTracer {
   /// The lines between ends and junctions, and closed ones; no two have an edge in common.
   /// `mayEnd` tells of border nodes which of them a line may reach; inner nodes always may.
   /// The order is that of the nodes they begin with.
-  const std::vector<NodeLine>& trace(const HeightTile& tile, const NodePositions& positions,
+  const std::vector<NodeLine>& trace(const HeightTile& tile, const MetricNodes& positions,
                                      const FeatureRules& rules,
                                      const std::vector<std::uint8_t>& mayEnd);
 
  private:
-  void findSharpEdges(const NodePositions& positions, double angleDegrees);
-  void readRow(const NodePositions& positions, int j, std::vector<Vec3>& row) const;
+  void findSharpEdges(const MetricNodes& positions, double angleDegrees);
+  void readRow(const MetricNodes& positions, int j, std::vector<Vec3>& row) const;
   void makeNormals(int j);
   void compareRow(int j, double cosine);
   void addEdge(int i, int j, int di, int dj);

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the qmesh authors
+//
+// Private header: not installed.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the qmesh authors
+//
+// Private header: not installed.
 #pragma once
 
 #include <optional>
@@ -8,7 +10,7 @@
 
 #include "simplify/cgal/constrained_mesh.h"
 #include "simplify/cgal/feature_lines.h"
-#include "simplify/cgal/node_positions.h"
+#include "simplify/cgal/metric_nodes.h"
 #include "simplify/simplifier.h"
 
 namespace qmesh {
@@ -68,7 +70,7 @@ class PointSetMethod : public Simplifier {
   LevelSpec borderMaxError_;
   LevelSpec borderMaxLength_;
   FeatureRules rules_;
-  NodePositions positions_;
+  MetricNodes positions_;
   FeatureTracer tracer_;
   std::vector<std::uint8_t> taken_; ///< by node: not a point any more
   MeshParts parts_;

@@ -28,7 +28,7 @@ TerrainPatch flatPatch(const Place& place) {
 
 const std::vector<NodeLine>& trace(const HeightTile& tile, FeatureTracer& tracer,
                                    const FeatureRules& rules = {}, bool mayReachBorder = false) {
-  NodePositions positions;
+  MetricNodes positions;
   positions.reset(tile);
   const NodeGrid grid(tile.cells());
   return tracer.trace(tile, positions, rules,

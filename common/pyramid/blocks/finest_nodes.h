@@ -4,7 +4,7 @@
 
 #include <memory>
 
-#include "pyramid/chunk_store.h"
+#include "pyramid/blocks/chunk_store.h"
 #include "pyramid/pyramid_plan.h"
 
 namespace qmesh {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "base/status.h"
-#include "pyramid/block_result.h"
+#include "pyramid/blocks/block_result.h"
 
 namespace qmesh {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the qmesh authors
-#include "pyramid/inherited_border.h"
+#include "pyramid/inherit/inherited_border.h"
 
 #include <algorithm>
 

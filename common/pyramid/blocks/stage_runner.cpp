@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the qmesh authors
-#include "pyramid/stage_runner.h"
+#include "pyramid/blocks/stage_runner.h"
 
 #include <algorithm>
 #include <utility>
 
-#include "pyramid/downward_job.h"
+#include "pyramid/blocks/downward_job.h"
 
 namespace qmesh {
 

@@ -11,7 +11,7 @@
 #include <queue>
 #include <vector>
 
-#include "pyramid/schedule.h"
+#include "pyramid/inherit/schedule.h"
 
 namespace qmesh {
 

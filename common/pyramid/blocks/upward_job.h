@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
-#include "pyramid/block_job.h"
-#include "pyramid/block_windows.h"
+#include "pyramid/blocks/block_job.h"
+#include "pyramid/blocks/block_windows.h"
 #include "pyramid/tile_maker.h"
 
 namespace qmesh {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the qmesh authors
-#include "pyramid/block_result.h"
+#include "pyramid/blocks/block_result.h"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the qmesh authors
-#include "pyramid/finest_nodes.h"
+#include "pyramid/blocks/finest_nodes.h"
 
 #include <algorithm>
 

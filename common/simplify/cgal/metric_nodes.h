@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the qmesh authors
+//
+// Private header: not installed.
 #pragma once
 
 #include <vector>
@@ -10,7 +12,7 @@
 namespace qmesh {
 
 /// Where the nodes of a tile lie on the globe: ECEF, metres, on WGS 84 with heights above it.
-class NodePositions {
+class MetricNodes {
  public:
   /// REQUIRES: the tile lives as long as the positions are asked for.
   void reset(const HeightTile& tile);

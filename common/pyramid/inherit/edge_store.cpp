@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the qmesh authors
-#include "pyramid/edge_store.h"
+#include "pyramid/inherit/edge_store.h"
 
 #include <cassert>
 

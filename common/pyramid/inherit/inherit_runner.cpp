@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the qmesh authors
-#include "pyramid/inherit_runner.h"
+#include "pyramid/inherit/inherit_runner.h"
 
 #include <algorithm>
 

@@ -5,9 +5,9 @@
 #include <functional>
 #include <vector>
 
-#include "pyramid/edge_store.h"
-#include "pyramid/stage_runner.h"
-#include "pyramid/tile_queue.h"
+#include "pyramid/blocks/stage_runner.h"
+#include "pyramid/inherit/edge_store.h"
+#include "pyramid/inherit/tile_queue.h"
 
 namespace qmesh {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the qmesh authors
-#include "pyramid/tile_queue.h"
+#include "pyramid/inherit/tile_queue.h"
 
 #include <chrono>
 

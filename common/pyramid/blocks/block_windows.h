@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "pyramid/block_plan.h"
-#include "pyramid/finest_nodes.h"
+#include "pyramid/blocks/finest_nodes.h"
 #include "pyramid/report.h"
 
 namespace qmesh {

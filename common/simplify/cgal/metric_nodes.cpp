@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the qmesh authors
-#include "simplify/cgal/node_positions.h"
+#include "simplify/cgal/metric_nodes.h"
 
 #include "geo/ellipsoid.h"
 
 namespace qmesh {
 
-void NodePositions::reset(const HeightTile& tile) {
+void MetricNodes::reset(const HeightTile& tile) {
   tile_ = &tile;
   columns_.clear();
   rows_.clear();

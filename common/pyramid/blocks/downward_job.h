@@ -4,8 +4,8 @@
 
 #include <memory>
 
-#include "pyramid/block_job.h"
-#include "pyramid/block_windows.h"
+#include "pyramid/blocks/block_job.h"
+#include "pyramid/blocks/block_windows.h"
 #include "pyramid/tile_maker.h"
 
 namespace qmesh {

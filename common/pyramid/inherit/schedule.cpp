@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the qmesh authors
-#include "pyramid/schedule.h"
+#include "pyramid/inherit/schedule.h"
 
 #include <algorithm>
 #include <deque>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the qmesh authors
-#include "pyramid/downward_job.h"
+#include "pyramid/blocks/downward_job.h"
 
 #include "grid/void_fill.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the qmesh authors
-#include "pyramid/block_windows.h"
+#include "pyramid/blocks/block_windows.h"
 
 #include <algorithm>
 

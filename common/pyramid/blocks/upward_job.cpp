@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the qmesh authors
-#include "pyramid/upward_job.h"
+#include "pyramid/blocks/upward_job.h"
 
 #include "grid/void_fill.h"
 

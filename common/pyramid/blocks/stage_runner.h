@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "base/work_team.h"
-#include "pyramid/block_scheduler.h"
+#include "pyramid/blocks/block_scheduler.h"
+#include "pyramid/blocks/upward_job.h"
 #include "pyramid/run_context.h"
-#include "pyramid/upward_job.h"
 
 namespace qmesh {
 
