@@ -64,7 +64,7 @@ def upward_includes(tree):
 
 
 def unlisted_folders(tree):
-    return [f"common/{p.name} is missing in the order of folders (autotest/lint/tree.py)"
+    return [f"common/{p.name} is missing in common/CMakeLists.txt"
             for p in sorted((tree.root / "common").iterdir()) if p.is_dir() and p.name not in ORDER]
 
 

@@ -12,9 +12,7 @@ import subprocess
 import pytest
 
 import rules
-from tree import Tree
-
-ROOT = pathlib.Path(__file__).resolve().parents[2]
+from tree import ROOT, Tree
 
 
 @pytest.fixture(scope="session")

@@ -5,9 +5,16 @@
 import pathlib
 import re
 
-# The folders of common/ in the order in which includes may point: each sees those before it.
-ORDER = ("base geo tiling export grid mesh border simplify codec surface vsi source sink tileset validate pyramid "
-         "compare options run").split()
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+
+
+def folders_in_order():
+    """The folders of common/ in the order in which includes may point: each sees those before it."""
+    lists = (ROOT / "common" / "CMakeLists.txt").read_text(encoding="utf-8")
+    return re.search(r"foreach\(module\s+([^)]*)\)", lists).group(1).split()
+
+
+ORDER = folders_in_order()
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*(["<])([^">]+)[">]', re.M)
 MARK_PRIVATE = "// Private header: not installed."
