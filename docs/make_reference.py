@@ -41,7 +41,9 @@ def switches(row):
 
 
 def number(value):
-    return str(int(value)) if value == int(value) else f"{value:g}"
+    if value == int(value):
+        return str(int(value))
+    return f"{value:g}" if len(repr(value)) < 10 else f"1/{round(1 / value)}"
 
 
 def value_range(row):
@@ -56,7 +58,9 @@ def meaning(row):
     choices = [f"`{c['name']}`" + (f": {cell(c['help'])}" if c.get("help") else "") for c in row.get("choices", [])]
     if choices:
         text += " " + "; ".join(choices) + "."
-    notes = [value_range(row), "repeatable" if row.get("repeatable") else "", "advanced" if row.get("advanced") else ""]
+    methods = row.get("methods", [])
+    only = f"method{'s' if len(methods) > 1 else ''} {', '.join(methods)}" if methods else ""
+    notes = [only, value_range(row), "repeatable" if row.get("repeatable") else "", "advanced" if row.get("advanced") else ""]
     notes = [note for note in notes if note]
     return text + (f" *({', '.join(notes)})*" if notes else "")
 

@@ -131,7 +131,7 @@ def test_every_option_does_what_the_command_does(qmesh, tmp_path):
         "COLOUR=RED": ["COLOUR", "gdalinfo --format QMESH"],
         "S_SRS=EPSG:4326": ["S_SRS", "-a_srs of gdal_translate"],
         "BAND=2": ["BAND", "-b of gdal_translate"],
-        "OVERWRITE=YES": ["OVERWRITE", "gdal2qmesh only"],
+        "OVERWRITE=YES": ["OVERWRITE", "option of gdal2qmesh, not of the driver"],
         "XYZ": ["XYZ", "NAME=VALUE"],
     }.items(),
 )

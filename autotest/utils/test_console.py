@@ -82,7 +82,8 @@ def test_help_and_version():
     for word in ("--max-error", "--screen-error", "--zoom", "--overwrite", "greedy", "delaunay"):
         assert word in run.out
     assert max(map(len, run.out.splitlines())) <= 80
-    assert harness.gdal2qmesh("-h").succeeded().out == run.out
+    brief = harness.gdal2qmesh("-h").succeeded().out
+    assert len(brief) < len(run.out) / 3 and "--max-error" in brief and "--help" in brief
     assert harness.gdal2qmesh("--version").succeeded().out.strip()
 
 

@@ -362,7 +362,7 @@ def test_malformed_tiles_end_cleanly(tmp_path):
 def test_help_and_version():
     assert qmeshinfo("--version").out.startswith("qmeshinfo ")
     text = qmeshinfo("--help").out
-    assert text.startswith("usage: qmeshinfo [options] SET\n") and "--error-raster" in text
+    assert text.startswith("usage: qmeshinfo [options] TILESET\n") and "--error-raster" in text
     assert json.loads(qmeshinfo("--options-json").out)["program"] == "qmeshinfo"
 
 

@@ -113,12 +113,23 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
   }
 }
 
+namespace {
+
+/// 1/3 for 0.333...: a limit that no short decimal number equals is the inverse of a whole number.
+std::string limitText(double value) {
+  constexpr std::size_t kLong = 10;
+  const std::string text = formatNumber(value);
+  return text.size() > kLong ? "1/" + formatNumber(std::round(1 / value)) : text;
+}
+
+} // namespace
+
 std::string rangeText(const std::optional<double>& minimum, const std::optional<double>& maximum,
                       const std::string& unit) {
   std::string text;
   if (minimum) {
-    text = formatNumber(*minimum);
-    text += maximum ? " to " + formatNumber(*maximum) : " or more";
+    text = limitText(*minimum);
+    text += maximum ? " to " + limitText(*maximum) : " or more";
   }
   return text.empty() || unit.empty() ? text + unit : text + " " + unit;
 }

@@ -20,7 +20,7 @@ Status unknownOption(const OptionTable& table, const std::string& written,
                      const std::string& name) {
   const std::string closest = table.closestName(name);
   const std::string cure =
-      closest.empty() ? "; --help lists all" : "; did you mean --" + closest + "?";
+      closest.empty() ? "; --help lists all options" : "; did you mean --" + closest + "?";
   return Status(Code::usage, "unknown option " + written + cure);
 }
 

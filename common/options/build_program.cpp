@@ -9,19 +9,21 @@ ProgramText buildProgram() {
   ProgramText text;
   text.name = "gdal2qmesh";
   text.arguments = "[options] INPUT [OUTPUT]";
-  text.sentence = "Turns a digital elevation model into quantized-mesh terrain for CesiumJS.";
+  text.sentence =
+      "Converts a digital elevation model (DEM) to a quantized-mesh tileset for CesiumJS.";
+  text.inputHint = "several DEMs go into a VRT: gdalbuildvrt";
   text.specs = true;
   text.examples = {
-      {"gdal2qmesh dem.tif", "All zooms the DEM has detail for, into the folder dem."},
-      {"gdal2qmesh -z 0-12 -w cesium dem.tif terrain",
-       "Zooms 0 to 12, with a page that shows them."},
+      {"gdal2qmesh dem.tif", "All zooms up to the native zoom of the DEM, into the folder dem."},
+      {"gdal2qmesh -z 0-12 -w cesium dem.tif terrain", "Zooms 0 to 12, with a preview page."},
       {"gdal2qmesh -s EPSG:32611 -a -9999 --void-fill interpolate dem.asc terrain",
-       "A DEM that does not say its coordinate system, nor that -9999 marks voids."},
+       "A DEM without a coordinate system and nodata value; voids are interpolated."},
       {"gdal2qmesh --max-error 0-9:2000/2^z,10-:0.5 dem.tif terrain",
-       "Errors in metres instead of pixels: half a metre from zoom 10 on."},
+       "Errors in metres instead of pixels: 0.5 m from zoom 10."},
       {"gdal2qmesh --te -120 30 -110 40 --te-srs EPSG:4326 --memory 2GB big.vrt part",
-       "A part of a large DEM, with 2 GB of memory."},
-      {"gdal2qmesh --dry-run big.vrt", "How many tiles it would be, and how long it would take."},
+       "A part of a large DEM, with at most 2 GB of memory."},
+      {"gdal2qmesh --dry-run big.vrt",
+       "Print the number of tiles and the estimated size and time."},
   };
   for (const EnumRow<Code>& code : EnumTable<Code>::kRows)
     text.exitCodes.push_back({static_cast<int>(code.value), code.help});

@@ -45,10 +45,10 @@ Result<Assignment> parseLine(const OptionTable& table, std::string_view line,
     return Status(unknown.code(), place + unknown.message());
   }
   if (row->commandLineOnly)
-    return Status(Code::usage, place + name + " belongs on the command line only");
+    return Status(Code::usage, place + name + " is allowed on the command line only");
   const std::optional<std::string> value = valueOf(line.substr(equals + 1));
   if (!value)
-    return Status(Code::usage, place + "expected one value between the quotes");
+    return Status(Code::usage, place + "expected one value in quotes");
   return Assignment{row, *value, place + name + " = " + *value};
 }
 
@@ -87,7 +87,7 @@ Result<std::vector<Assignment>> readConfigFile(const OptionTable& table, const s
   while (file && (got = std::fread(buffer.data(), 1, buffer.size(), file.get())) > 0)
     text.append(buffer.data(), got);
   if (!file || std::ferror(file.get()))
-    return Status(Code::usage, "--config-file " + path + ": cannot be read; is the path right?");
+    return Status(Code::usage, "--config-file " + path + ": cannot be read; check the path");
   return parseConfig(table, text, path);
 }
 

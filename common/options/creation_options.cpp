@@ -40,6 +40,8 @@ std::string defaultOf(const OptionRow& row) {
 
 std::string description(const OptionTable& table, const OptionRow& row) {
   std::string text = row.help;
+  if (!row.methods.empty())
+    text += " Only for " + row.methodsText() + ".";
   if (!row.unit.empty())
     text += " Unit: " + row.unit + ".";
   if (row.defaultText().empty() && !row.whenUnset.empty())
@@ -85,10 +87,10 @@ std::string lowerCase(std::string text) {
 Status unknown(const OptionTable& table, const std::string& name) {
   const OptionRow* known = table.byName(lowerCase(name));
   if (known && !known->translateOption.empty())
-    return {Code::usage,
-            name + " is no creation option; use " + known->translateOption + " of gdal_translate"};
+    return {Code::usage, name + " is not a creation option; use " + known->translateOption +
+                             " of gdal_translate"};
   if (known)
-    return {Code::usage, name + " is an option of gdal2qmesh only"};
+    return {Code::usage, name + " is an option of gdal2qmesh, not of the driver"};
   const OptionRow* closest = table.byName(table.closestName(lowerCase(name)));
   return {Code::usage, "unknown creation option " + name +
                            (closest && closest->isCreationOption()

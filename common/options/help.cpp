@@ -14,6 +14,7 @@ namespace {
 constexpr int kIndent = 2;      ///< blanks before an option
 constexpr int kTextColumn = 26; ///< where sentences begin
 constexpr int kFewestColumns = 60;
+constexpr std::size_t kBriefExamples = 3;
 
 std::string blanks(int count) {
   return std::string(static_cast<std::size_t>(count), ' ');
@@ -75,6 +76,8 @@ std::string facts(const OptionRow& row) {
       bareChoices.push_back(choice.name);
   if (!bareChoices.empty())
     facts.push_back(join(bareChoices, ", "));
+  if (!row.methods.empty())
+    facts.push_back(row.methodsText());
   if (const std::string range = row.rangeText(); !range.empty())
     facts.push_back(range);
   const std::string value = row.defaultText();
@@ -109,18 +112,20 @@ void addGroup(const OptionTable& table, const EnumRow<OptionGroup>& group, Page&
 void addSpec(Page& page) {
   constexpr int kColumn = 20;
   page.line("");
-  page.line("SPEC: a number that may differ per zoom");
-  page.entry("V", "the same at all zooms: 5", kColumn);
-  page.entry("V/2^z, V*2^z", "from the value at zoom 0: 5000/2^z halves at each zoom", kColumn);
-  page.entry("V,V,V", "zoom 0, 1, 2; the last one repeats: 500,200,100", kColumn);
-  page.entry("ZOOMS:V,ZOOMS:V", "by zoom or range, each V maybe a formula: 0:900,1-7:800/2^z,8-:2",
+  page.line("SPEC: a number, or numbers per zoom");
+  page.entry("V", "the same at all zooms, for example 5", kColumn);
+  page.entry("V/2^z, V*2^z", "from the value at zoom 0: 5000/2^z is halved at each zoom", kColumn);
+  page.entry("V,V,V", "for zooms 0, 1, 2; the last one is used for deeper zooms: 500,200,100",
              kColumn);
+  page.entry("ZOOMS:V,ZOOMS:V",
+             "by zoom or range of zooms, V may be a formula: 0:900,1-7:800/2^z,8-:2", kColumn);
 }
 
-void addExamples(const ProgramText& program, Page& page) {
+void addExamples(const ProgramText& program, std::size_t most, Page& page) {
   page.line("");
   page.line("Examples");
-  for (const Example& example : program.examples) {
+  for (std::size_t k = 0; k < std::min(most, program.examples.size()); ++k) {
+    const Example& example = program.examples[k];
     page.line(blanks(kIndent) + example.command);
     page.entry("", example.sentence, 3 * kIndent);
   }
@@ -140,6 +145,21 @@ std::string usageLine(const OptionTable& table) {
   return "usage: " + table.program().name + " " + table.program().arguments;
 }
 
+std::string briefHelpText(const OptionTable& table, int columns) {
+  Page page(columns);
+  page.line(usageLine(table));
+  page.line("");
+  page.entry("", table.program().sentence, 0);
+  page.line("");
+  for (const OptionRow& row : table.rows())
+    if (row.essential)
+      page.entry(heading(row), row.help + facts(row));
+  addExamples(table.program(), kBriefExamples, page);
+  page.line("");
+  page.line("All options: " + table.program().name + " --help");
+  return page.text();
+}
+
 std::string helpText(const OptionTable& table, int columns) {
   Page page(columns);
   page.line(usageLine(table));
@@ -149,7 +169,7 @@ std::string helpText(const OptionTable& table, int columns) {
     addGroup(table, group, page);
   if (table.program().specs)
     addSpec(page);
-  addExamples(table.program(), page);
+  addExamples(table.program(), table.program().examples.size(), page);
   addExitCodes(table.program(), page);
   return page.text();
 }

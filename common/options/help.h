@@ -16,4 +16,7 @@ std::string usageLine(const OptionTable& table);
 /// at most `columns` long, 60 at least, except where one word is longer.
 std::string helpText(const OptionTable& table, int columns = 80);
 
+/// The same with the options most people need and three examples, for -h.
+std::string briefHelpText(const OptionTable& table, int columns = 80);
+
 } // namespace qmesh

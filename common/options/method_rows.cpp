@@ -42,51 +42,45 @@ Rows errorRows(const std::vector<Choice>& methods) {
       RowBuilder(Group::meshes, "method")
           .value("METHOD")
           .choice(&Options::name, methods)
-          .help("How triangles are chosen."),
+          .help("The method that simplifies the mesh of a tile."),
       specRow("max-error")
-          .whenUnset("as --screen-error says")
+          .whenUnset("from --screen-error")
+          .essential()
           .help("The largest height difference between the mesh and the heights of its zoom."),
       specRow("screen-error")
-          .help("The largest error where CesiumJS shows a zoom, in pixels of the screen; the last "
-                "zoom takes half of it. --max-error overrides it."),
+          .help("The largest error on the screen in CesiumJS, from which the max error of each "
+                "zoom follows. The last zoom takes half of it. --max-error overrides it."),
       RowBuilder(Group::meshes, "border")
           .value("MODE")
           .choice(&TilingOptions::border)
           .advanced()
-          .help("Who decides the vertices of the edge between two tiles."),
+          .help("How the vertices on the edge between two tiles are chosen."),
       RowBuilder(Group::meshes, "schedule")
           .value("ORDER")
           .choice(&TilingOptions::schedule)
           .advanced()
-          .help("The order of a zoom's tiles under --border inherit."),
+          .help("The order of the tiles of a zoom with --border inherit."),
   };
 }
 
 Rows greedyRows() {
-  return of(
-      {"greedy"},
-      {
-          RowBuilder(Group::meshes, "decimate")
-              .value("on|off")
-              .onOff(&Options::decimate)
-              .help("greedy: afterwards remove the vertices the error does not need: two fifths "
-                    "fewer "
-                    "triangles for half as much more time."),
-          RowBuilder(Group::meshes, "error-type")
-              .value("TYPE")
-              .choice(&Options::errorType)
-              .advanced()
-              .help("greedy: how the distance of a node from the mesh is measured. With 3d the "
-                    "height "
-                    "error "
-                    "may exceed the max error on slopes; reports tell the height error all the "
-                    "same."),
-          advancedSpecRow("init-grid")
-              .help(
-                  "greedy: begin with a grid of so many cells, rounded up to a power of two, whose "
-                  "inner "
-                  "nodes stay."),
-      });
+  return of({"greedy"},
+            {
+                RowBuilder(Group::meshes, "decimate")
+                    .value("on|off")
+                    .onOff(&Options::decimate)
+                    .help("At the end, remove vertices that the max error does not need: 40% fewer "
+                          "triangles for 50% more time."),
+                RowBuilder(Group::meshes, "error-type")
+                    .value("TYPE")
+                    .choice(&Options::errorType)
+                    .advanced()
+                    .help("How the error is measured. With 3d, height errors on slopes may exceed "
+                          "the max error. Reports always give height errors."),
+                advancedSpecRow("init-grid")
+                    .help("Start with a regular grid of this many cells, rounded up to a power of "
+                          "two. Its inner nodes stay in the mesh."),
+            });
 }
 
 Rows collapseRows() {
@@ -97,111 +91,108 @@ Rows collapseRows() {
         .advanced()
         .help(sentence);
   };
-  return of({"collapse"},
-            {
-                advancedSpecRow("edge-count").help("collapse: stop at so many edges a tile."),
-                advancedSpecRow("edge-ratio")
-                    .help("collapse: stop at this share of the full mesh's edges."),
-                RowBuilder(Group::meshes, "cost")
-                    .value("COST")
-                    .choice(&Options::cost)
-                    .advanced()
-                    .help("collapse: what an edge's collapse costs and where its vertex goes."),
-                RowBuilder(Group::meshes, "space")
-                    .value("SPACE")
-                    .choice(&Options::space)
-                    .advanced()
-                    .help("collapse: the coordinates it works in."),
-                weight("volume-weight", &Options::volumeWeight,
-                       "collapse: weight of the volume that changes."),
-                weight("boundary-weight", &Options::boundaryWeight,
-                       "collapse: weight of the area that changes at the border."),
-                advancedSpecRow("shape-weight")
-                    .help("collapse: weight of the triangles' shape; more than 0 at low zooms."),
-            });
+  return of(
+      {"collapse"},
+      {
+          advancedSpecRow("edge-count").help("Stop at this number of edges per tile."),
+          advancedSpecRow("edge-ratio")
+              .help("Stop at this fraction of the edges of the full mesh."),
+          RowBuilder(Group::meshes, "cost")
+              .value("COST")
+              .choice(&Options::cost)
+              .advanced()
+              .help("The cost of an edge collapse and the position of the new vertex."),
+          RowBuilder(Group::meshes, "space")
+              .value("SPACE")
+              .choice(&Options::space)
+              .advanced()
+              .help("The coordinates for the cost."),
+          weight("volume-weight", &Options::volumeWeight, "The weight of changes of volume."),
+          weight("boundary-weight", &Options::boundaryWeight,
+                 "The weight of changes of area at the border."),
+          advancedSpecRow("shape-weight")
+              .help(
+                  "The weight of triangle shape. The default is greater than 0 at low zooms only."),
+      });
 }
 
 Rows qemRows() {
   return of(
       {"qem"},
       {
-          advancedSpecRow("svo").help(
-              "qem: the smallest visible object, where it stops: the square root of the mean "
-              "least quadric error."),
-          advancedSpecRow("ratio").help("qem: stop at this share of the full mesh's vertices."),
+          advancedSpecRow("svo").help("Stop at this smallest visible object: the square root of "
+                                      "the smallest mean quadric error."),
+          advancedSpecRow("ratio").help("Stop at this fraction of the vertices of the full mesh."),
       });
 }
 
 Rows quadtreeRows() {
-  return of(
-      {"quadtree"},
-      {
-          advancedSpecRow("curvature")
-              .whenUnset("120 max errors per node spacing; none where --max-error is given")
-              .help("quadtree: divide a cell while its cumulated curvature exceeds this; without "
-                    "it and "
-                    "with --max-error, while a node is beyond that."),
-          RowBuilder(Group::meshes, "observer")
-              .value("LON,LAT[,HEIGHT]")
-              .custom<Options>(Type::text, setObserver, observerText)
-              .whenUnset("none")
-              .advanced()
-              .help("quadtree: a place in degrees (height in metres) around which the mesh stays "
-                    "fine; "
-                    "thresholds grow with the distance from it."),
-          RowBuilder(Group::meshes, "observer-range")
-              .value("METRES")
-              .unit("m")
-              .number(&Options::observerRange, 1, 2e7)
-              .advanced()
-              .help("quadtree: within this distance of the observer the thresholds are as given."),
-      });
+  return of({"quadtree"},
+            {
+                advancedSpecRow("curvature")
+                    .whenUnset("120 times the max error per node spacing; none with --max-error")
+                    .help("Divide a cell if its cumulated curvature is greater than this value. "
+                          "With --max-error and without --curvature, a cell is divided while it "
+                          "has a node beyond the max error."),
+                RowBuilder(Group::meshes, "observer")
+                    .value("LON,LAT[,HEIGHT]")
+                    .custom<Options>(Type::text, setObserver, observerText)
+                    .whenUnset("none")
+                    .advanced()
+                    .help("A position in degrees, with a height in metres. The mesh is finest "
+                          "there; thresholds grow with the distance."),
+                RowBuilder(Group::meshes, "observer-range")
+                    .value("METRES")
+                    .unit("m")
+                    .number(&Options::observerRange, 1, 2e7)
+                    .advanced()
+                    .help("The thresholds do not grow within this distance of --observer."),
+            });
 }
 
 Rows pointRows() {
-  return of(
-      {"grid", "random", "hierarchy", "wlop"},
-      {
-          advancedSpecRow("border-max-error")
-              .help("point sets: the largest height error of the simplified edges and features."),
-          advancedSpecRow("border-max-length")
-              .help("point sets: the longest piece of a tile edge."),
-          RowBuilder(Group::meshes, "feature-angle")
-              .value("DEGREES")
-              .unit("degrees")
-              .number(&Options::featureAngle, 0, 180)
-              .advanced()
-              .help("point sets: edges with a sharper angle between their triangles are features."),
-          RowBuilder(Group::meshes, "feature-min-size")
-              .value("N")
-              .unit("edges")
-              .integer(&Options::featureMinSize, 1)
-              .advanced()
-              .help("point sets: shorter feature lines are left out."),
-      });
+  return of({"grid", "random", "hierarchy", "wlop"},
+            {
+                advancedSpecRow("border-max-error")
+                    .help("The largest height error of simplified tile edges and features."),
+                advancedSpecRow("border-max-length").help("The longest segment on a tile edge."),
+                RowBuilder(Group::meshes, "feature-angle")
+                    .value("DEGREES")
+                    .unit("degrees")
+                    .number(&Options::featureAngle, 0, 180)
+                    .advanced()
+                    .help("An edge of the full mesh is a feature if its dihedral angle is sharper "
+                          "than this."),
+                RowBuilder(Group::meshes, "feature-min-size")
+                    .value("N")
+                    .unit("edges")
+                    .integer(&Options::featureMinSize, 1)
+                    .advanced()
+                    .help("Shorter feature lines are ignored."),
+            });
 }
 
 Rows oneSetRows() {
   return {
-      advancedSpecRow("cell-size")
-          .methods({"grid"})
-          .help("grid: one point is kept in each cube of this size."),
-      advancedSpecRow("random-percent").methods({"random"}).help("random: points removed."),
+      advancedSpecRow("cell-size").methods({"grid"}).help("Keep one point per cube of this size."),
+      advancedSpecRow("random-percent")
+          .methods({"random"})
+          .help("The percentage of points to remove."),
       advancedSpecRow("cluster-size")
           .methods({"hierarchy"})
-          .help("hierarchy: a cluster of more points is divided."),
+          .help("Divide clusters with more points."),
       advancedSpecRow("max-variance")
           .methods({"hierarchy"})
-          .help("hierarchy: a cluster with a larger surface variation is divided."),
-      advancedSpecRow("retain-percent").methods({"wlop"}).help("wlop: points left."),
+          .help("Divide clusters with a larger surface variation."),
+      advancedSpecRow("retain-percent").methods({"wlop"}).help("The percentage of points to keep."),
       advancedSpecRow("radius").methods({"wlop"}).help(
-          "wlop: the neighbourhood in which points push each other apart."),
+          "The radius of the neighbourhood in which points repel each other."),
       RowBuilder(Group::meshes, "iterations")
           .value("N")
           .methods({"wlop"})
           .integer(&Options::iterations, 1, 1000)
           .advanced()
-          .help("wlop: rounds of moving the points."),
+          .help("The number of iterations."),
   };
 }
 

@@ -49,29 +49,29 @@ enum class OptionType {
 };
 
 /// What a command line asks for.
-enum class Request { run, help, version, optionsJson, listFindings };
+enum class Request { run, briefHelp, help, version, optionsJson, listFindings };
 
 template <> struct EnumTable<OptionGroup> {
   static constexpr EnumRow<OptionGroup> kRows[] = {
-      {OptionGroup::arguments, "Arguments", "what is read and where the result goes"},
-      {OptionGroup::description, "Description", "what is said of a set"},
-      {OptionGroup::validation, "Validation", "what is wrong with a set"},
-      {OptionGroup::measure, "Measuring", "how far a set is from the DEM it was made from"},
+      {OptionGroup::arguments, "Arguments", "the input and the output"},
+      {OptionGroup::description, "Description", "what is printed about a tileset"},
+      {OptionGroup::validation, "Validation", "what is wrong with a tileset"},
+      {OptionGroup::measure, "Measuring", "the error of a tileset against its DEM"},
       {OptionGroup::input, "Input", "how the DEM is read"},
-      {OptionGroup::heights, "Heights", "what is done to the heights"},
-      {OptionGroup::oneTile, "One tile", "its header, its mesh, its picture"},
-      {OptionGroup::sampling, "Sampling", "heights at places"},
-      {OptionGroup::tiling, "Tiling", "which tiles are made and how nodes get their heights"},
-      {OptionGroup::meshes, "Meshes", "how a tile's triangles are chosen"},
+      {OptionGroup::heights, "Heights", "how heights are changed"},
+      {OptionGroup::oneTile, "One tile", "header, mesh and picture of one tile"},
+      {OptionGroup::sampling, "Sampling", "heights at positions"},
+      {OptionGroup::tiling, "Tiling", "which tiles are made, and how their nodes get heights"},
+      {OptionGroup::meshes, "Meshes", "how the mesh of a tile is simplified"},
       {OptionGroup::output, "Output", "what is written"},
-      {OptionGroup::running, "Running", "how the work is done; the tiles do not depend on it"},
-      {OptionGroup::information, "Information", "what is printed instead of a run"},
+      {OptionGroup::running, "Running", "how the program runs; the tiles do not depend on it"},
+      {OptionGroup::information, "Information", "printed instead of a run"},
   };
 };
 
 template <> struct EnumTable<OptionType> {
   static constexpr EnumRow<OptionType> kRows[] = {
-      {OptionType::flag, "flag", "on or off; no value on a command line"},
+      {OptionType::flag, "flag", "on or off; takes no value on the command line"},
       {OptionType::integer, "integer", "whole number"},
       {OptionType::number, "number", "decimal number"},
       {OptionType::text, "text", "any text"},
@@ -108,6 +108,7 @@ struct OptionRow {
   int values = 1;                   ///< words it takes on a command line, 0 for a flag
   int position = 0;                 ///< 1, 2: an argument without a name; 0: an option
   std::string initial;              ///< the default as text; empty where the field is
+  bool essential = false;           ///< most users need it: shown by -h, too
   bool advanced = false;            ///< few users need it
   bool repeatable = false;          ///< each use adds a value
   bool commandLineOnly = false;     ///< means nothing in a file or a form
@@ -126,6 +127,8 @@ struct OptionRow {
   std::string defaultText() const { return initial; }
   /// "1 to 5 m", "1 or more", "m", or nothing. Choices say more than a range.
   std::string rangeText() const;
+  /// "method collapse", "methods grid, wlop", or nothing.
+  std::string methodsText() const;
   /// Whether the GDAL driver takes it as a creation option.
   bool isCreationOption() const { return position == 0 && !commandLineOnly && !notInDriver; }
   /// The name of a GDAL creation option: MAX_ERROR for max-error.

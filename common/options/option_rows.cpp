@@ -22,13 +22,15 @@ Rows argumentRows() {
           .position(1)
           .value("INPUT")
           .text(&InputOptions::path, Type::file)
-          .help("The DEM: any raster GDAL reads, heights in one band."),
+          .essential()
+          .help("The DEM: any raster that GDAL reads, with heights in one band."),
       RowBuilder(Group::arguments, "output")
           .position(2)
           .value("OUTPUT")
           .text(&OutputOptions::path, Type::folder)
           .whenUnset("INPUT's name without extension, in the current folder")
-          .help("The folder that becomes the terrain: layer.json and {z}/{x}/{y}.terrain."),
+          .essential()
+          .help("The folder of the tileset: layer.json and {z}/{x}/{y}.terrain."),
   };
 }
 
@@ -39,7 +41,8 @@ Rows inputRows() {
           .text(&InputOptions::sourceSrs, Type::srs)
           .whenUnset("the DEM's own")
           .notInDriver("-a_srs")
-          .help("The coordinate system of the DEM, where it has none or a wrong one."),
+          .essential()
+          .help("The coordinate system of the DEM. Overrides the DEM's own."),
       RowBuilder(Group::input, "band", 'b')
           .value("N")
           .integer(&InputOptions::band, 1)
@@ -50,14 +53,17 @@ Rows inputRows() {
           .custom<InputOptions>(Type::number, setNodata, nodataText)
           .whenUnset("the DEM's own")
           .notInDriver("-a_nodata")
-          .help("The value of cells without a height. NaN and infinite cells never have one."),
+          .essential()
+          .help("The nodata value of the DEM. Overrides the DEM's own. NaN and infinite cells are "
+                "always nodata."),
       RowBuilder(Group::input, "te")
           .value("XMIN YMIN XMAX YMAX")
           .words(4)
           .custom<InputOptions>(Type::extent, setExtent, extentText)
           .whenUnset("all of the DEM")
           .notInDriver("-projwin")
-          .help("Use the DEM within this box only, given in --te-srs."),
+          .essential()
+          .help("Use only the part of the DEM in this box. --te-srs is its coordinate system."),
       RowBuilder(Group::input, "te-srs")
           .value("SRS")
           .text(&InputOptions::extentSrs, Type::srs)
@@ -69,21 +75,21 @@ Rows inputRows() {
           .text(&InputOptions::cutline, Type::file)
           .whenUnset("none")
           .notInDriver()
-          .help("Use the DEM within the polygons of this vector file only."),
+          .help("Use only the part of the DEM inside the polygons of this vector file."),
       RowBuilder(Group::input, "oo")
           .value("KEY=VALUE")
           .list(&InputOptions::openOptions, Type::keyValue)
           .whenUnset("none")
           .advanced()
           .notInDriver("-oo")
-          .help("An open option for the driver that reads the DEM."),
+          .help("An open option for the GDAL driver that reads the DEM."),
       RowBuilder(Group::input, "if")
           .value("FORMAT")
           .list(&InputOptions::inputFormats, Type::text)
           .whenUnset("all")
           .advanced()
           .notInDriver("-if")
-          .help("A GDAL driver that may open the DEM."),
+          .help("A GDAL driver that may read the DEM."),
   };
 }
 
@@ -102,18 +108,20 @@ Rows heightRows() {
   return {
       RowBuilder(Group::heights, "bathymetry")
           .flag(&HeightOptions::bathymetry)
-          .help("The DEM counts depths downwards: 30 lies 30 m below the sea."),
-      height("clip-low", &HeightOptions::clipLow, "Raise lower heights to this one."),
-      height("clip-high", &HeightOptions::clipHigh, "Lower higher heights to this one."),
+          .help("The DEM has depths, positive down: 30 means 30 m below sea level."),
+      height("clip-low", &HeightOptions::clipLow, "Raise lower heights to this height."),
+      height("clip-high", &HeightOptions::clipHigh, "Lower higher heights to this height."),
       scale("scale-above", &HeightOptions::scaleAbove,
-            "Multiplies heights above 0, before clipping."),
+            "Multiply heights above 0, before clipping."),
       scale("scale-below", &HeightOptions::scaleBelow,
-            "Multiplies heights below 0, before clipping."),
+            "Multiply heights below 0, before clipping."),
       RowBuilder(Group::heights, "void-fill")
           .value("HEIGHT|interpolate")
           .unit("m")
           .custom<HeightOptions>(Type::text, setVoidFill, voidFillText)
-          .help("What voids become: a height, or heights interpolated from those around."),
+          .essential()
+          .help("The height of voids (cells and areas without data), or interpolate: from the "
+                "heights around."),
   };
 }
 
@@ -136,10 +144,11 @@ Rows pyramidRows() {
       RowBuilder(Group::tiling, "profile", 'p')
           .value("PROFILE")
           .choice(&TilingOptions::profile)
-          .refusal(
-              "terrain lies on the globe, so gdal2tiles' raster profile and other tile matrices "
-              "cannot be used")
-          .help("The tiles' grid."),
+          .refusal("terrain is on the globe: the raster profile of gdal2tiles and other tiling "
+                   "schemes are "
+                   "not supported")
+          .essential()
+          .help("The tiling scheme."),
       RowBuilder(Group::tiling, "zoom", 'z')
           .value("MIN-MAX|MIN-|N")
           .custom<TilingOptions>(
@@ -149,11 +158,12 @@ Rows pyramidRows() {
               },
               [](const TilingOptions& o) { return zoomsText(o.minZoom, o.maxZoom); })
           .whenUnset("0 to the DEM's native zoom")
-          .help("Zooms to make; N is that one alone, MIN- goes on to the native zoom: the first "
-                "with nodes as close as the DEM's cells. 0 to 24."),
+          .essential()
+          .help("The zooms to make. N makes one zoom. MIN- ends at the native zoom, the first one "
+                "whose node spacing is as fine as the DEM's cells. Zooms are 0 to 24."),
       zoomRow("min-zoom", &TilingOptions::minZoom)
           .whenUnset("0")
-          .help("The first zoom; CesiumJS needs zoom 0, also where the set lies over another one."),
+          .help("The first zoom. CesiumJS needs zoom 0, even if the tileset covers another one."),
       zoomRow("max-zoom", &TilingOptions::maxZoom)
           .whenUnset("the DEM's native zoom")
           .help("The last zoom."),
@@ -173,24 +183,26 @@ Rows nodeRows() {
           .unit("cells per tile edge")
           .powersOfTwo(kSmallestTile, kLargestTile)
           .custom<TilingOptions>(Type::integer, setTileSize, tileSizeText)
-          .help("The finest mesh a tile can have."),
+          .help("The finest mesh of a tile."),
       RowBuilder(Group::tiling, "resampling", 'r')
           .value("METHOD")
           .choice(&InputOptions::resampling)
-          .help("How the nodes of the last zoom get heights from the DEM's cells."),
+          .help("How the nodes of the last zoom get their heights from the DEM's cells."),
       RowBuilder(Group::tiling, "overview-resampling")
           .value("METHOD")
           .choice(&TilingOptions::overviewResampling)
-          .help("How each zoom gets its heights from the next finer one."),
+          .help("How each zoom gets its heights from the next finer zoom."),
       RowBuilder(Group::tiling, "exclude", 'x')
           .flag(&TilingOptions::excludeVoid)
-          .help("Leave out tiles without any height. Else they are filled as --void-fill says."),
+          .help("Do not write tiles without data. Otherwise they are filled, see --void-fill."),
       RowBuilder(Group::tiling, "xyz")
           .flag(&OutputOptions::xyz)
-          .help("Number tile rows from the north (slippy map) instead of the south (TMS)."),
+          .help(
+              "Number tile rows from the north (XYZ, slippy map) instead of from the south (TMS)."),
       RowBuilder(Group::tiling, "tmscompatible", 'd')
           .noEffect("")
-          .help("Accepted as in gdal2tiles, always on: two tiles at zoom 0 for geodetic."),
+          .help("Accepted for compatibility with gdal2tiles. It is always on: the geodetic profile "
+                "has two tiles at zoom 0."),
   };
 }
 
@@ -198,14 +210,15 @@ Rows meshRows() {
   return {
       RowBuilder(Group::meshes, "normals")
           .flag(&OutputOptions::normals)
-          .help("Normals for lit terrain."),
+          .help("Write vertex normals, which CesiumJS needs for lighting."),
       RowBuilder(Group::meshes, "metadata")
           .value("N")
           .unit("zooms")
           .integer(&OutputOptions::metadata, 0, kMaxZoom)
           .advanced()
-          .help("At every N-th zoom, tiles list their descendants of the next N zooms, for clients "
-                "that look there; layer.json lists all tiles all the same. 0: none."),
+          .help("Write the metadata extension: tiles at every N-th zoom list the tiles below them "
+                "for the next N zooms. Only clients that read this list need it, because "
+                "layer.json lists all tiles. 0: no metadata."),
   };
 }
 
@@ -214,17 +227,19 @@ Rows outputRows() {
       RowBuilder(Group::output, "compress")
           .value("HOW")
           .choice(&OutputOptions::compression)
-          .help("The tiles' compression."),
+          .help("The compression of the tiles."),
       RowBuilder(Group::output, "overwrite")
           .flag(&OutputOptions::overwrite)
           .notInDriver()
-          .help("Replace the terrain in OUTPUT once the new one is complete; other files stay. "
-                "Else an OUTPUT that is not empty is refused."),
+          .essential()
+          .help("Replace the tileset in OUTPUT when the new one is complete. Other files in OUTPUT "
+                "stay. Without this option, OUTPUT must be empty."),
       RowBuilder(Group::output, "webviewer", 'w')
           .value("VIEWER")
           .choice(&OutputOptions::preview)
           .notInDriver()
-          .help("A preview page to write beside the tiles."),
+          .essential()
+          .help("Write a preview page beside the tiles."),
       RowBuilder(Group::output, "cesium")
           .value("DIR")
           .text(&OutputOptions::cesium, Type::folder)
@@ -235,42 +250,42 @@ Rows outputRows() {
           .value("TITLE")
           .text(&OutputOptions::title, Type::text, true)
           .whenUnset("the name of INPUT")
-          .help("The title of the terrain, in layer.json and the preview."),
+          .help("The title of the tileset, for layer.json and the preview page."),
       RowBuilder(Group::output, "copyright", 'c')
           .value("TEXT")
           .text(&OutputOptions::copyright, Type::text, true)
           .whenUnset("none")
-          .help("Whom the heights belong to, in layer.json and the preview."),
+          .help("The attribution of the data, for layer.json and the preview page."),
       RowBuilder(Group::output, "report")
           .value("FILE")
           .text(&OutputOptions::report, Type::file)
           .whenUnset("none")
           .notInDriver()
-          .help("Write a JSON report: tiles, triangles, bytes, errors reached and seconds."),
+          .help("Write a JSON report: tiles, triangles, bytes, errors and seconds."),
       RowBuilder(Group::output, "debug-meshes")
           .value("DIR")
           .text(&OutputOptions::debugMeshes, Type::folder)
           .whenUnset("none")
           .advanced()
           .notInDriver()
-          .help("Write every tile's mesh to DIR as well, for programs that show meshes: "
-                "DIR/{z}/{x}/{y}.ply, metres around the middle of the tile."),
+          .help("Also write the mesh of each tile to DIR, for 3D programs: DIR/{z}/{x}/{y}.ply, in "
+                "metres around the centre of the tile."),
       RowBuilder(Group::output, "debug-format")
           .value("FORMAT")
           .choice(&OutputOptions::debugFormat)
           .advanced()
           .notInDriver()
-          .help("The format of --debug-meshes."),
+          .help("The file format of --debug-meshes."),
       RowBuilder(Group::output, "force-kml", 'k')
           .noEffect("terrain has no KML")
-          .help("Accepted as in gdal2tiles, without effect."),
+          .help("Accepted for compatibility with gdal2tiles. It has no effect."),
       RowBuilder(Group::output, "no-kml", 'n')
           .noEffect("terrain has no KML")
-          .help("Accepted as in gdal2tiles, without effect."),
+          .help("Accepted for compatibility with gdal2tiles. It has no effect."),
       RowBuilder(Group::output, "googlekey", 'g')
           .value("KEY")
           .noEffect("the preview page needs no key", 1)
-          .help("Accepted as in gdal2tiles, without effect."),
+          .help("Accepted for compatibility with gdal2tiles. It has no effect."),
   };
 }
 
@@ -280,62 +295,75 @@ Rows runningRows() {
           .alias("processes")
           .value("N|ALL_CPUS")
           .custom<RunOptions>(Type::threads, setThreads, threadsText)
-          .help("Threads that work."),
+          .essential()
+          .help("The number of threads."),
       RowBuilder(Group::running, "memory")
           .value("SIZE")
           .custom<RunOptions>(Type::memory, setMemory, memoryText)
-          .help("Memory for the work and GDAL's cache: 512MB, 2GB, 40% of the machine's, or "
-                "bytes."),
+          .essential()
+          .help("The memory limit, including the block cache of GDAL: 512MB, 2GB, 40% of the "
+                "machine, or a number of bytes."),
       RowBuilder(Group::running, "block-tiles")
           .value("auto|2|4|8")
           .unit("tiles per block edge")
           .custom<RunOptions>(Type::text, setBlockTiles, blockTilesText)
           .advanced()
-          .help("Tiles worked on together; auto goes by memory and threads."),
+          .help("The tiles per block edge. A block is the unit of work of one thread. auto: from "
+                "--memory and --num-threads."),
       RowBuilder(Group::running, "config-file")
           .value("FILE")
           .text(&RunOptions::configFile, Type::file)
           .commandLineOnly()
           .whenUnset("none")
-          .help("Read options from a file of lines 'name = value' ('on' or 'off' for one without "
-                "value; '#' begins a comment). The command line overrides it."),
+          .help("Read options from a file with lines 'name = value'. Flags take 'on' or 'off'. A "
+                "'#' starts a comment. The command line overrides the file."),
       RowBuilder(Group::running, "dry-run")
           .flag(&RunOptions::dryRun)
           .notInDriver()
-          .help("Print tiles per zoom and estimates of size and time; write nothing."),
+          .essential()
+          .help(
+              "Print the number of tiles per zoom and estimates of size and time. Write nothing."),
       RowBuilder(Group::running, "compare")
           .flag(&CompareOptions::enabled)
           .notInDriver()
-          .help("Compare all methods at the triangle count and at the error of --method: prints a "
-                "table and writes comparison.csv and pictures to OUTPUT, no terrain. On the tiles "
-                "of --min-x to --max-y, else on the busiest tile of the last zoom."),
+          .help("Compare all methods, once at the triangle count of --method and once at its "
+                "error. Prints a table, writes comparison.csv and pictures to OUTPUT, makes no "
+                "tileset. Works on the tiles from --min-x to --max-y, or on the tile of the last "
+                "zoom with the most triangles."),
       RowBuilder(Group::running, "compare-tile")
           .value("Z/X/Y")
           .custom<CompareOptions>(Type::text, setCompareTile, compareTileText)
           .whenUnset("chosen by --compare")
           .advanced()
           .notInDriver()
-          .help("Compare on this tile; the row counts from the south."),
+          .help("The tile that --compare works on. Y counts from the south."),
       RowBuilder(Group::running, "quiet", 'q')
           .flag(&RunOptions::quiet)
           .notInDriver()
-          .help("Print errors only."),
+          .help("Print only errors."),
       RowBuilder(Group::running, "verbose", 'v')
           .flag(&RunOptions::verbose)
           .notInDriver()
-          .help("Print what is done."),
+          .help("Print details."),
   };
 }
 
 Rows informationRows() {
   return {
-      RowBuilder(Group::information, "help", 'h').request(Request::help).help("Print this text."),
+      RowBuilder(Group::information, "usage", 'h')
+          .request(Request::briefHelp)
+          .essential()
+          .help("Print the most important options."),
+      RowBuilder(Group::information, "help")
+          .request(Request::help)
+          .essential()
+          .help("Print all options."),
       RowBuilder(Group::information, "version")
           .request(Request::version)
           .help("Print the version."),
       RowBuilder(Group::information, "options-json")
           .request(Request::optionsJson)
-          .help("Print all options as JSON, for programs that draw a form."),
+          .help("Print all options as JSON, for programs that show a form."),
   };
 }
 

@@ -49,6 +49,10 @@ std::string OptionRow::creationOption() const {
   return text;
 }
 
+std::string OptionRow::methodsText() const {
+  return methods.empty() ? "" : (methods.size() > 1 ? "methods " : "method ") + join(methods, ", ");
+}
+
 std::string OptionRow::rangeText() const {
   return choices.empty() ? qmesh::rangeText(minimum, maximum, unit) : unit;
 }

@@ -73,6 +73,12 @@ std::string rowJson(const OptionRow& row) {
   add(members, "values", std::to_string(row.values));
   if (row.position != 0)
     add(members, "position", std::to_string(row.position));
+  Members methods;
+  for (const std::string& method : row.methods)
+    methods.push_back(jsonString(method));
+  if (!methods.empty())
+    add(members, "methods", array(methods));
+  addTrue(members, "essential", row.essential);
   addTrue(members, "advanced", row.advanced);
   addTrue(members, "repeatable", row.repeatable);
   addTrue(members, "commandLineOnly", row.commandLineOnly);

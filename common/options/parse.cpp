@@ -72,7 +72,8 @@ Status WordReader::read() {
 Status WordReader::readPositional(const std::string& word) {
   const OptionRow* row = table_.byPosition(++positionals_);
   if (!row)
-    return Status(Code::usage, "'" + word + "' is one argument too many; quote names with blanks");
+    return Status(Code::usage, "unexpected argument '" + word + "' (quote paths with spaces; " +
+                                   table_.program().inputHint + ")");
   assign(*row, word, row->placeholder);
   return {};
 }
@@ -228,11 +229,12 @@ Result<CommandLine> parseCommandLine(const OptionTable& table,
   BuildOptions& options = line.options;
   QMESH_RETURN_IF_ERROR(applyAssignments(parsed->assignments, options));
   if (options.input.path.empty())
-    return Status(Code::usage, "INPUT is missing: name a DEM to read");
+    return Status(Code::usage, "INPUT is missing: the DEM to read");
   if (options.output.path.empty())
     options.output.path = defaultOutput(options.input.path);
   if (options.output.path.empty())
-    return Status(Code::usage, "OUTPUT is missing: '" + options.input.path + "' gives it no name");
+    return Status(Code::usage,
+                  "OUTPUT is missing: no default follows from '" + options.input.path + "'");
   QMESH_RETURN_IF_ERROR(validate(options, line.warnings));
   return line;
 }

@@ -24,6 +24,7 @@ struct ProgramText {
   std::string name;      ///< "gdal2qmesh"
   std::string arguments; ///< "[options] INPUT [OUTPUT]"
   std::string sentence;  ///< what it is for
+  std::string inputHint; ///< said where there are too many arguments
   bool specs = false;    ///< whether options take a SPEC, which is then explained
   std::vector<Example> examples;
   std::vector<ExitCodeText> exitCodes;

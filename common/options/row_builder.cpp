@@ -130,6 +130,11 @@ RowBuilder& RowBuilder::position(int n) {
   return *this;
 }
 
+RowBuilder& RowBuilder::essential() {
+  row_.essential = true;
+  return *this;
+}
+
 RowBuilder& RowBuilder::advanced() {
   row_.advanced = true;
   return *this;

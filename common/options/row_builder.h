@@ -55,6 +55,8 @@ class RowBuilder {
   RowBuilder& whenUnset(std::string text);
   RowBuilder& refusal(std::string text);
   RowBuilder& position(int n);
+  /// Shown by -h, too.
+  RowBuilder& essential();
   RowBuilder& advanced();
   /// Words its value takes on a command line.
   RowBuilder& words(int n);

@@ -18,8 +18,8 @@ Status checkOrder(const std::optional<T>& low, const std::optional<T>& high, con
                   const char* highName) {
   if (!low || !high || *low <= *high)
     return {};
-  return Status(Code::usage, std::string(lowName) + " is above " + highName +
-                                 "; exchange them or leave one out");
+  return Status(Code::usage,
+                std::string(lowName) + " is above " + highName + "; swap them or omit one");
 }
 
 /// Options of a method that is not the chosen one: somebody expects something of them.
@@ -30,7 +30,7 @@ void warnOfOtherMethods(const BuildOptions& options, std::vector<std::string>& w
                       std::count(row.methods.begin(), row.methods.end(), options.method.name) > 0;
     if (!used && row.get(options) != row.get(defaults))
       warnings.push_back("--" + row.name + " has no effect with --method " + options.method.name +
-                         ": it belongs to " + join(row.methods, ", "));
+                         ": it is an option of " + row.methodsText());
   }
 }
 
@@ -46,20 +46,19 @@ Status validate(const BuildOptions& options, std::vector<std::string>& warnings)
   const int first = options.tiling.minZoom.value_or(0);
   QMESH_RETURN_IF_ERROR(checkSpecs(options.method, first, options.tiling.maxZoom.value_or(first)));
   if (!options.input.extentSrs.empty() && !options.input.extent)
-    return Status(Code::usage, "--te-srs needs --te: the box it is the coordinate system of");
+    return Status(Code::usage, "--te-srs needs --te");
   if (!options.output.cesium.empty() && options.output.preview == Preview::none)
     warnings.push_back("--cesium has no effect without a preview page (-w cesium)");
   if (options.compare.tile && !options.compare.enabled)
-    return Status(Code::usage, "--compare-tile says where --compare works; name both");
+    return Status(Code::usage, "--compare-tile needs --compare");
   if (options.tiling.schedule != Schedule::fourColour &&
       options.tiling.border == BorderMode::shared)
     warnings.push_back("--schedule has no effect without --border inherit");
   if (!options.compare.enabled)
     warnOfOtherMethods(options, warnings);
   if (options.tiling.minZoom.value_or(0) > 0)
-    warnings.push_back("CesiumJS needs zoom 0 to begin with: terrain from zoom " +
-                       std::to_string(*options.tiling.minZoom) +
-                       " on is of use to other programs only");
+    warnings.push_back("CesiumJS cannot show a tileset that starts at zoom " +
+                       std::to_string(*options.tiling.minZoom) + ": it needs zoom 0");
   return {};
 }
 

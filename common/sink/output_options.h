@@ -17,7 +17,7 @@ template <> struct EnumTable<Preview> {
   static constexpr EnumRow<Preview> kRows[] = {
       {Preview::none, "none", "no page"},
       {Preview::cesium, "cesium", "a CesiumJS page"},
-      {Preview::all, "all", "every page there is"},
+      {Preview::all, "all", "all pages"},
   };
 };
 

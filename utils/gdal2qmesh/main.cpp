@@ -25,6 +25,9 @@ int runCommand(const std::vector<std::string>& words) {
     return int(line.status().code());
   }
   switch (line->request) {
+  case Request::briefHelp:
+    std::fputs(briefHelpText(table, console.columns()).c_str(), stdout);
+    return 0;
   case Request::help:
     std::fputs(helpText(table, console.columns()).c_str(), stdout);
     return 0;

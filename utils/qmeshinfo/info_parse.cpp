@@ -16,23 +16,23 @@ Status checkExtension(const std::string& file, const std::vector<std::string>& k
     if (file.size() > extension.size() &&
         equalIgnoringCase(std::string_view(file).substr(file.size() - extension.size()), extension))
       return {};
-  return {Code::usage, std::string(option) + " " + file + ": end the name in " + join(known, ", ") +
-                           " to say the format"};
+  return {Code::usage,
+          std::string(option) + " " + file + ": the extension must be one of " + join(known, ", ")};
 }
 
 Status checkInfo(const InfoOptions& options) {
   if (options.set.empty())
-    return {Code::usage, "SET is missing: name a folder with a layer.json, or a tile"};
+    return {Code::usage, "TILESET is missing: a folder with a layer.json, or a tile"};
   const bool tileWork = !options.exportFile.empty() || !options.drawing.empty();
   const bool isTile = options.set.find(".terrain") != std::string::npos;
   if (tileWork && !options.tile && !isTile)
-    return {Code::usage, "--export and --draw need --tile Z/X/Y, or a .terrain file as SET"};
+    return {Code::usage, "--export and --draw need --tile Z/X/Y, or a .terrain file as TILESET"};
   if (!options.exportFile.empty())
     QMESH_RETURN_IF_ERROR(checkExtension(options.exportFile, {".obj", ".ply", ".off"}, "--export"));
   if (!options.drawing.empty())
     QMESH_RETURN_IF_ERROR(checkExtension(options.drawing, {".svg", ".png"}, "--draw"));
   if (!options.errorRaster.empty() && options.dem.path.empty())
-    return {Code::usage, "--error-raster needs --dem: the DEM to measure against"};
+    return {Code::usage, "--error-raster needs --dem"};
   for (const std::string& text : options.samples)
     if (text != "-") {
       const auto place = parseLonLat(text);

@@ -41,17 +41,20 @@ Rows descriptionRows() {
   return {
       Row(Group::arguments, "set")
           .position(1)
-          .value("SET")
+          .value("TILESET")
           .text(&Options::set, Type::text)
-          .help("The terrain: a folder, its layer.json, one .terrain file, or the http(s) address "
-                "of one of them; any path that GDAL reads, archives included."),
+          .essential()
+          .help("The tileset: a folder, its layer.json, one .terrain file, or the http(s) URL of "
+                "one of them. Also any path that GDAL reads, for example in an archive."),
       Row(Group::description, "json")
           .flag(&Options::json)
-          .help("Print JSON (data/schema/qmeshinfo.schema.json) instead of text."),
+          .essential()
+          .help("Print JSON (schema: data/schema/qmeshinfo.schema.json) instead of text."),
       Row(Group::description, "stats")
           .flag(&Options::stats)
-          .help("Read every tile and tell triangles, vertices, bytes and heights of each level. "
-                "Without it only layer.json is read."),
+          .essential()
+          .help("Read every tile and print triangles, vertices, bytes and heights per zoom. "
+                "Without this option, only layer.json is read."),
       Row(Group::description, "zoom", 'z')
           .value("MIN-MAX|MIN-|N")
           .custom<Options>(
@@ -61,21 +64,23 @@ Rows descriptionRows() {
               },
               [](const Options& o) { return zoomsText(o.minZoom, o.maxZoom); })
           .whenUnset("all")
-          .help("Zooms to look at; N is that one alone. With --sample and --error-raster the "
-                "deepest of them is used."),
+          .essential()
+          .help("The zooms to look at. N is one zoom. --sample and --error-raster use the last of "
+                "them."),
       Row(Group::validation, "validate")
           .flag(&Options::validate)
-          .help("Read every tile and list what is wrong, by numbered findings. Exit code 1 when "
-                "one is an error."),
+          .essential()
+          .help("Read every tile and print what is wrong as numbered findings. The exit code is 1 "
+                "if a finding is an error."),
       Row(Group::validation, "max-findings")
           .value("N")
           .integer(&Options::maxFindings, 0)
-          .help("Places told of each finding; all are counted. 0: all."),
+          .help("Locations printed per finding. All are counted. 0: print all."),
       Row(Group::validation, "ignore")
           .value("CODE")
           .list(&Options::ignore, Type::text)
           .whenUnset("none")
-          .help("A finding not to look for, as QM601."),
+          .help("A finding to ignore, for example QM601."),
   };
 }
 
@@ -85,20 +90,22 @@ Rows measureRows() {
           .value("FILE")
           .text(&InputOptions::path, Type::file)
           .whenUnset("none")
-          .help("Measure each level against this DEM, at the centres of its cells: largest, mean "
-                "and root mean square error and the one 99 % of the cells stay below."),
+          .essential()
+          .help("Measure the error of each zoom against this DEM, at the centres of its cells: "
+                "largest, mean, root mean square and 99th percentile."),
       Row(Group::measure, "dem-step")
           .value("N")
           .unit("cells")
           .integer(&Options::demStep, 0, 1000000)
-          .help("Measure at every N-th column and row; 0 takes the smallest step that leaves at "
-                "most 4 million cells, and says which."),
+          .help("Measure at every N-th column and row. 0: the smallest step that leaves at most 4 "
+                "million cells."),
       Row(Group::measure, "error-raster")
           .value("FILE")
           .text(&Options::errorRaster, Type::file)
           .whenUnset("none")
-          .help("Write mesh minus DEM of the deepest zoom looked at as a GeoTIFF, one pixel a "
-                "cell measured; nodata where there is no tile or no height."),
+          .essential()
+          .help("Write mesh minus DEM at the last zoom of -z as a GeoTIFF, one pixel per measured "
+                "cell. Pixels without a tile or a height are nodata."),
   };
 }
 
@@ -108,11 +115,13 @@ Rows tileRows() {
           .value("Z/X/Y")
           .custom<Options>(Type::text, setTile, tileText)
           .whenUnset("none")
-          .help("Describe one tile of the set; the row counts from the south."),
+          .essential()
+          .help("Describe one tile of the tileset. Y counts from the south."),
       Row(Group::oneTile, "export")
           .value("FILE")
           .text(&Options::exportFile, Type::file)
           .whenUnset("none")
+          .essential()
           .help("Write the tile's mesh as .obj, .ply or .off."),
       Row(Group::oneTile, "frame")
           .value("FRAME")
@@ -122,6 +131,7 @@ Rows tileRows() {
           .value("FILE")
           .text(&Options::drawing, Type::file)
           .whenUnset("none")
+          .essential()
           .help("Draw the tile's triangles as .svg or .png."),
       Row(Group::oneTile, "shade")
           .value("HOW")
@@ -141,37 +151,40 @@ Rows otherRows() {
           .value("LON,LAT")
           .list(&Options::samples, Type::text)
           .whenUnset("none")
-          .help("Print the height of the deepest tile there is at a place (degrees); '-' reads "
-                "places from standard input, one a line."),
+          .essential()
+          .help("Print the height at a position in degrees, from the deepest tile there. '-' reads "
+                "positions from standard input, one per line."),
       Row(Group::information, "list-findings")
           .request(Request::listFindings)
-          .help("Print every finding there is with its cure; with --json before it, as JSON."),
+          .help("Print all findings and how to fix them. With --json before it: as JSON."),
   };
 }
 
 ProgramText infoProgram() {
   ProgramText text;
   text.name = "qmeshinfo";
-  text.arguments = "[options] SET";
-  text.sentence = "Describes, validates and measures quantized-mesh terrain of any program.";
+  text.arguments = "[options] TILESET";
+  text.sentence =
+      "Describes and validates quantized-mesh tilesets of any program and measures their error.";
+  text.inputHint = "one tileset per run";
   text.examples = {
-      {"qmeshinfo terrain", "What layer.json says: levels, tiles, extensions."},
-      {"qmeshinfo --stats -j 4 terrain", "Triangles, bytes and heights of every level as well."},
-      {"qmeshinfo --validate terrain", "What is wrong with the set, and what to do about it."},
+      {"qmeshinfo terrain", "The contents of layer.json: zooms, tiles, extensions."},
+      {"qmeshinfo --stats -j 4 terrain", "Also triangles, bytes and heights per zoom."},
+      {"qmeshinfo --validate terrain", "What is wrong with the tileset, and how to fix it."},
       {"qmeshinfo --validate --json https://example.org/terrain/layer.json",
-       "The same of a set on a server, for a program."},
+       "The same for a tileset on a server, as JSON."},
       {"qmeshinfo --dem dem.tif --error-raster error.tif terrain",
-       "How far each level is from the DEM, and where."},
+       "The error of each zoom against the DEM, and a raster of it."},
       {"qmeshinfo --tile 10/544/718 --export tile.obj --draw tile.png terrain",
-       "One tile: its header, its mesh for another program, its picture."},
-      {"qmeshinfo --sample -84.35,36.38 terrain", "The height at a place."},
+       "One tile: header, mesh file and picture."},
+      {"qmeshinfo --sample -84.35,36.38 terrain", "The height at a position."},
   };
   text.exitCodes = {
       {0, "done; with --validate: no finding is an error"},
-      {1, "--validate found an error (also: a fault of the program, said on standard error)"},
+      {1, "--validate found an error; also an internal error, printed on standard error"},
       {2, "usage: an option is unknown, malformed or out of range"},
       {3, "stopped by Ctrl-C or a signal"},
-      {4, "the set or the DEM cannot be read"},
+      {4, "the tileset or the DEM cannot be read"},
       {5, "a file cannot be written"},
   };
   return text;
@@ -184,7 +197,8 @@ OptionTable infoTable() {
   for (const Rows& rows :
        {descriptionRows(), measureRows(),
         sharedRows({"s_srs", "band", "srcnodata", "oo", "if", "bathymetry"}), tileRows(),
-        otherRows(), sharedRows({"num-threads", "quiet", "help", "version", "options-json"})})
+        otherRows(),
+        sharedRows({"num-threads", "quiet", "usage", "help", "version", "options-json"})})
     all.insert(all.end(), rows.begin(), rows.end());
   return OptionTable::of(infoProgram(), all);
 }

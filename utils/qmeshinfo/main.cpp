@@ -39,6 +39,8 @@ int runCommand(const std::vector<std::string>& words) {
   if (!line.ok())
     return fail(console, table, line.status());
   switch (line->request) {
+  case Request::briefHelp:
+    return print(briefHelpText(table, console.columns())) ? 0 : int(Code::output);
   case Request::help:
     return print(helpText(table, console.columns())) ? 0 : int(Code::output);
   case Request::version:

@@ -35,8 +35,8 @@ TEST(CreationOptions, WhatIsNotOursIsPassedOver) {
 TEST(CreationOptions, FaultsNameTheCure) {
   EXPECT_EQ("unknown creation option MAX_EROR; did you mean MAX_ERROR?", faultOf({"MAX_EROR=1"}));
   EXPECT_EQ("unknown creation option ZZZZ; gdalinfo --format QMESH lists all", faultOf({"ZZZZ=1"}));
-  EXPECT_EQ("BAND is no creation option; use -b of gdal_translate", faultOf({"BAND=1"}));
-  EXPECT_EQ("QUIET is an option of gdal2qmesh only", faultOf({"QUIET=YES"}));
+  EXPECT_EQ("BAND is not a creation option; use -b of gdal_translate", faultOf({"BAND=1"}));
+  EXPECT_EQ("QUIET is an option of gdal2qmesh, not of the driver", faultOf({"QUIET=YES"}));
   EXPECT_EQ("creation option 'XYZ': expected NAME=VALUE", faultOf({"XYZ"}));
   EXPECT_EQ("XYZ=YES and xyz=NO contradict; keep one", faultOf({"XYZ=YES", "xyz=NO"}));
   EXPECT_EQ("", faultOf({"XYZ=YES", "xyz=YES"}));

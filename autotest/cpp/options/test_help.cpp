@@ -42,6 +42,31 @@ TEST(Help, HasEveryRow) {
   }
 }
 
+TEST(Help, BriefShowsTheEssentialOptionsAndThreeExamples) {
+  const std::string help = briefHelpText(testTable());
+  int options = 0;
+  for (const OptionRow& row : testTable().rows()) {
+    const bool shown = flowing(help).find(" --" + row.name + " ") != std::string::npos;
+    EXPECT_TRUE(shown || !row.essential || row.position != 0) << row.name;
+    options += row.essential && row.position == 0 ? 1 : 0;
+  }
+  EXPECT_GE(options, 12);
+  EXPECT_LE(options, 16);
+  int examples = 0;
+  for (const std::string_view line : split(help, '\n'))
+    examples += line.substr(0, 13) == "  gdal2qmesh " ? 1 : 0;
+  EXPECT_EQ(examples, 3);
+  EXPECT_NE(help.find("gdal2qmesh --help\n"), std::string::npos);
+  EXPECT_LT(help.size(), helpText(testTable()).size() / 3);
+}
+
+TEST(Help, NamesTheMethodsOfARow) {
+  const std::string help = flowing(helpText(testTable()));
+  EXPECT_NE(help.find("[method collapse; 0 to 1;"), std::string::npos);
+  EXPECT_NE(help.find("[methods grid, random, hierarchy, wlop;"), std::string::npos);
+  EXPECT_NE(help.find("[method hierarchy; 0 to 1/3;"), std::string::npos);
+}
+
 TEST(Help, ShowsTheDefaults) {
   const std::string help = flowing(helpText(testTable()));
   for (const OptionRow& row : testTable().rows()) {

@@ -38,6 +38,21 @@ TEST(OptionsJson, HasEveryRow) {
   }
 }
 
+TEST(OptionsJson, NamesTheMethodsOfARow) {
+  const std::string text = optionsJson(testTable(), "1");
+  const Json json = JsonReader(text).read();
+  int ofMethods = 0;
+  for (std::size_t i = 0; i < testTable().rows().size(); ++i) {
+    const std::vector<std::string>& methods = testTable().rows()[i].methods;
+    const Json& option = json["options"].items[i];
+    ASSERT_EQ(option.has("methods"), !methods.empty());
+    ofMethods += methods.empty() ? 0 : 1;
+    for (std::size_t k = 0; k < methods.size(); ++k)
+      EXPECT_EQ(option["methods"].items[k].text, methods[k]);
+  }
+  EXPECT_GT(ofMethods, 15);
+}
+
 TEST(OptionsJson, GroupsAreThoseOfTheRows) {
   const std::string text = optionsJson(testTable(), "1");
   const Json json = JsonReader(text).read();

@@ -137,7 +137,7 @@ INSTANTIATE_TEST_SUITE_P(Parse, BadLine,
 
 TEST(Parse, Requests) {
   EXPECT_EQ(parse("--help")->request, Request::help);
-  EXPECT_EQ(parse("-h")->request, Request::help);
+  EXPECT_EQ(parse("-h")->request, Request::briefHelp);
   EXPECT_EQ(parse("a.tif b --version --nonsense")->request, Request::version);
   EXPECT_EQ(parse("--options-json")->request, Request::optionsJson);
   EXPECT_EQ(parse("a.tif")->request, Request::run);

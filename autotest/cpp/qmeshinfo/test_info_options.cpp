@@ -93,7 +93,7 @@ TEST(InfoOptions, PlacesMayBeSeparatedByBlanks) {
 
 TEST(InfoOptions, HelpTellsThisProgram) {
   const std::string help = helpText(infoTable());
-  EXPECT_EQ(help.substr(0, 33), "usage: qmeshinfo [options] SET\n\nD");
+  EXPECT_EQ(help.substr(0, 37), "usage: qmeshinfo [options] TILESET\n\nD");
   EXPECT_EQ(help.find("SPEC:"), std::string::npos);
   EXPECT_EQ(help.find("Tiling:"), std::string::npos) << "a group without rows";
   EXPECT_NE(optionsJson(infoTable(), "1").find("\"program\": \"qmeshinfo\""), std::string::npos);

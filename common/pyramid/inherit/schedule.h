@@ -17,8 +17,8 @@ enum class BorderMode { shared, inherit };
 
 template <> struct EnumTable<BorderMode> {
   static constexpr EnumRow<BorderMode> kRows[] = {
-      {BorderMode::shared, "shared", "an edge is a function of its own nodes; in any order"},
-      {BorderMode::inherit, "inherit", "a tile takes the edges of neighbours already built"},
+      {BorderMode::shared, "shared", "from the nodes of the edge alone; tiles in any order"},
+      {BorderMode::inherit, "inherit", "by the tile that is made first; its neighbours use them"},
   };
 };
 
@@ -27,11 +27,11 @@ enum class Schedule { fourColour, rowwise, columnwise, chessboard, fourConnected
 
 template <> struct EnumTable<Schedule> {
   static constexpr EnumRow<Schedule> kRows[] = {
-      {Schedule::fourColour, "four-colour", "tiles of one colour never touch"},
+      {Schedule::fourColour, "four-colour", "by four colours; tiles of one colour do not touch"},
       {Schedule::rowwise, "rowwise", "row by row from the south"},
       {Schedule::columnwise, "columnwise", "column by column from the west"},
-      {Schedule::chessboard, "chessboard", "the black squares, then the white ones"},
-      {Schedule::fourConnected, "4connected", "tiles with the most edges already built first"},
+      {Schedule::chessboard, "chessboard", "black squares, then white squares"},
+      {Schedule::fourConnected, "4connected", "tiles with the most finished edges first"},
       {Schedule::fourColour, "four-color"},
   };
 };

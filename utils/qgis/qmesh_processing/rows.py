@@ -78,9 +78,9 @@ def parameter_name(row):
 
 
 def _method(row):
-    """"collapse" where a row belongs to that method: its sentence begins with the name."""
-    match = re.match(r"([a-z][a-z ]*): ", row["help"])
-    return match.group(1) if match else ""
+    """"collapse" where a row belongs to that method."""
+    methods = row.get("methods", [])
+    return methods[0] if len(methods) == 1 else "point sets" if methods else ""
 
 
 def _plain(name):
