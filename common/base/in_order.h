@@ -4,20 +4,21 @@
 
 #include <atomic>
 #include <optional>
-#include <thread>
 #include <utility>
 #include <vector>
 
 #include "base/status.h"
+#include "base/work_team.h"
 
 namespace qmesh {
 
-/// Does work on a stream of items with several threads and takes the results in the order of the
-/// items, so that what comes out does not depend on the threads. Items are worked on in batches:
-/// all threads end a batch before its results are taken.
-///   next()                    an optional item, from this thread; nothing ends the stream
-///   work(item, thread)        the result, from thread 0..threads-1
-///   take(item, result)        a Status, from this thread; a fault ends the stream
+/// Runs work on a stream of items in several threads and takes the results in the order of the
+/// items, so that the outcome does not depend on the threads. Items are worked on in batches: all
+/// threads end a batch before its results are taken.
+///   next()                    an optional item, in the calling thread; nothing ends the stream
+///   work(item, thread)        the result, in thread 0..threads-1
+///   take(item, result)        a Status, in the calling thread; a fault ends the stream
+/// An exception in work() ends the stream with Code::internal. One thread is the calling thread.
 template <class Next, class Work, class Take>
 Status inOrder(int threads, Next next, Work work, Take take) {
   using Item = typename decltype(next())::value_type;
@@ -34,17 +35,20 @@ Status inOrder(int threads, Next next, Work work, Take take) {
     if (items.empty())
       return {};
     std::vector<std::optional<Made>> made(items.size());
-    std::atomic<std::size_t> place{0};
-    const auto run = [&](int thread) {
-      for (std::size_t k = place++; k < items.size(); k = place++)
+    std::atomic<std::size_t> nextItem{0};
+    std::atomic<int> nextThread{0};
+    std::atomic<bool> stop{false};
+    const auto run = [&]() -> Status {
+      const int thread = nextThread++;
+      for (std::size_t k = nextItem++; k < items.size() && !stop; k = nextItem++)
         made[k].emplace(work(items[k], thread));
+      return {};
     };
-    std::vector<std::thread> others;
-    for (int thread = 1; thread < threads; ++thread)
-      others.emplace_back(run, thread);
-    run(0);
-    for (std::thread& other : others)
-      other.join();
+    if (threads > 1)
+      QMESH_RETURN_IF_ERROR(
+          WorkTeam(stop, Progress(), [] {}).run(std::size_t(threads), run, [] { return 0.0; }));
+    else
+      QMESH_RETURN_IF_ERROR(WorkTeam::safely(run));
     for (std::size_t k = 0; k < items.size(); ++k)
       QMESH_RETURN_IF_ERROR(take(items[k], *std::move(made[k])));
   }

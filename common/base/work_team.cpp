@@ -6,6 +6,7 @@
 #include <exception>
 #include <new>
 #include <string>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -21,8 +22,17 @@ Status WorkTeam::run(std::size_t threads, const std::function<Status()>& work,
                      const std::function<double()>& done) {
   running_ = threads;
   std::vector<std::thread> team;
-  for (std::size_t k = 0; k < threads; ++k)
-    team.emplace_back([&] { finish(workSafely(work)); });
+  try {
+    while (team.size() < threads)
+      team.emplace_back([&] { finish(enterAndWork(work)); });
+  } catch (const std::system_error&) { // the system makes no more
+    const std::lock_guard<std::mutex> lock(mutex_);
+    running_ -= threads - team.size();
+  }
+  if (team.empty() && threads > 0) {
+    running_ = 1;
+    finish(enterAndWork(work));
+  }
   watch(done);
   for (std::thread& member : team)
     member.join();
@@ -31,10 +41,16 @@ Status WorkTeam::run(std::size_t threads, const std::function<Status()>& work,
   return interrupted_ ? Status(Code::interrupted, "stopped before the set was complete") : Status();
 }
 
-/// No exception may leave a thread: it would end the process, which may be somebody else's.
-Status WorkTeam::workSafely(const std::function<Status()>& work) const {
-  try {
+Status WorkTeam::enterAndWork(const std::function<Status()>& work) const {
+  return safely([&] {
     enter_();
+    return work();
+  });
+}
+
+/// An exception that left a thread would end the process, which may be somebody else's.
+Status WorkTeam::safely(const std::function<Status()>& work) {
+  try {
     return work();
   } catch (const std::bad_alloc&) {
     return {Code::internal,

@@ -13,22 +13,27 @@
 
 namespace qmesh {
 
-/// Threads that do one piece of a run at a time while the calling thread tells the progress.
+/// The threads of a program: they do one piece of work at a time while the calling thread reports
+/// the progress. No exception leaves a thread, and fewer threads do the work where the system makes
+/// no more.
 class WorkTeam {
  public:
-  /// `stop` is set when a member fails or `progress` says so; members look at it. `enter` is the
-  /// first that each of them does.
+  /// `stop` is set when a thread fails or `progress` returns false; the work must check it. Each
+  /// thread calls `enter` first.
   WorkTeam(std::atomic<bool>& stop, const Progress& progress, std::function<void()> enter)
       : stop_(stop), progress_(progress), enter_(std::move(enter)) {}
 
-  /// Runs `work` in so many threads and waits for all. `done` is asked for the progress, 0..1,
-  /// while they work. The first failure (of an exception: Code::internal), or Code::interrupted
-  /// where `progress` stopped the work.
+  /// Runs `work` in `threads` threads and waits for all; in the calling thread where the system
+  /// makes none. `done` gives the progress meanwhile, 0..1. Returns the first failure (an exception
+  /// is Code::internal), or Code::interrupted where `progress` stopped the work.
   Status run(std::size_t threads, const std::function<Status()>& work,
              const std::function<double()>& done);
 
+  /// The status of `work`; Code::internal where it throws.
+  static Status safely(const std::function<Status()>& work);
+
  private:
-  Status workSafely(const std::function<Status()>& work) const;
+  Status enterAndWork(const std::function<Status()>& work) const;
   void watch(const std::function<double()>& done);
   void finish(const Status& status);
 
