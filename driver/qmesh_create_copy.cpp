@@ -14,7 +14,7 @@
 #include "qmesh_files.h"
 #include "qmesh_identify.h"
 #include "run/make_terrain.h"
-#include "sink/set_files.h"
+#include "sink/tileset_files.h"
 #include "vsi/vsi_files.h"
 
 namespace
@@ -110,7 +110,7 @@ Status CheckOutput(qmesh::BuildOptions &oOptions)
     if (oOptions.output.path.empty())
         return {Code::usage, "the output has no name; name a folder"};
     oOptions.output.overwrite =
-        qmesh::isTerrainSet(oOptions.output.path) || QMESHHasJustDeleted(oOptions.output.path);
+        qmesh::holdsTileset(oOptions.output.path) || QMESHHasJustDeleted(oOptions.output.path);
     if (!oOptions.output.overwrite && qmesh::isFolder(oOptions.output.path) &&
         qmesh::holdsFiles(oOptions.output.path))
         return {Code::output, "'" + oOptions.output.path +

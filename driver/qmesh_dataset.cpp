@@ -20,8 +20,8 @@ using qmesh::RasterWindow;
 using qmesh::Registration;
 using qmesh::Result;
 using qmesh::Status;
-using qmesh::TerrainSet;
 using qmesh::TileRange;
+using qmesh::Tileset;
 
 namespace
 {
@@ -58,8 +58,8 @@ GDALDataset *QMESHDataset::Open(GDALOpenInfo *poOpenInfo)
                      poOpenInfo->pszFilename);
         return nullptr;
     }
-    Result<TerrainSet> oSet = oName.eKind == QMESHKind::Set ? TerrainSet::open(oName.osPath)
-                                                            : TerrainSet::openTile(oName.osPath);
+    Result<Tileset> oSet = oName.eKind == QMESHKind::Set ? Tileset::open(oName.osPath)
+                                                         : Tileset::openTile(oName.osPath);
     if (!oSet.ok())
     {
         QMESHReportError(oSet.status());
@@ -68,7 +68,7 @@ GDALDataset *QMESHDataset::Open(GDALOpenInfo *poOpenInfo)
     return OpenSet(poOpenInfo, std::move(*oSet));
 }
 
-QMESHDataset *QMESHDataset::OpenSet(const GDALOpenInfo *poOpenInfo, TerrainSet oSet)
+QMESHDataset *QMESHDataset::OpenSet(const GDALOpenInfo *poOpenInfo, Tileset oSet)
 {
     const Result<QMESHOpenOptions> oOptions = QMESHParseOpenOptions(poOpenInfo->papszOpenOptions);
     if (!oOptions.ok())
@@ -92,7 +92,7 @@ QMESHDataset *QMESHDataset::OpenSet(const GDALOpenInfo *poOpenInfo, TerrainSet o
     return poDS.release();
 }
 
-QMESHDataset::QMESHDataset(TerrainSet oSet, const QMESHOpenOptions &oOptions)
+QMESHDataset::QMESHDataset(Tileset oSet, const QMESHOpenOptions &oOptions)
     : m_oSet(std::move(oSet)), m_oOptions(oOptions), m_oCache(m_oSet)
 {
     const int nOwn = m_oSet.layer().cellsPerTile;

@@ -49,9 +49,9 @@ class QMESHDataset final : public GDALDataset
     void WarnOfMissingTile();
 
   private:
-    QMESHDataset(qmesh::TerrainSet oSet, const QMESHOpenOptions &oOptions);
+    QMESHDataset(qmesh::Tileset oSet, const QMESHOpenOptions &oOptions);
 
-    static QMESHDataset *OpenSet(const GDALOpenInfo *poOpenInfo, qmesh::TerrainSet oSet);
+    static QMESHDataset *OpenSet(const GDALOpenInfo *poOpenInfo, qmesh::Tileset oSet);
     qmesh::Status ChooseZoom();
     qmesh::Status OpenRaster();
     void AddOverviews(const qmesh::RasterWindow &oWindow);
@@ -60,7 +60,7 @@ class QMESHDataset final : public GDALDataset
     void SetMetadataOfSet();
     void OpenVector();
 
-    qmesh::TerrainSet m_oSet;
+    qmesh::Tileset m_oSet;
     QMESHOpenOptions m_oOptions;
     int m_nZoom = 0;
     int m_nCells = 0;

@@ -8,9 +8,9 @@
 #include "qmesh_layer.h"
 #include "surface/surface_raster.h"
 
-using qmesh::TerrainSet;
 using qmesh::TileId;
 using qmesh::TileMesh;
+using qmesh::Tileset;
 
 namespace
 {
@@ -19,7 +19,7 @@ namespace
 class Places
 {
   public:
-    Places(const TerrainSet &oSet, const QMESHTileContent &oContent)
+    Places(const Tileset &oSet, const QMESHTileContent &oContent)
         : m_oBox(oSet.scheme().box(oContent.oTile)), m_oMesh(*oContent.poMesh)
     {
     }
@@ -65,7 +65,7 @@ class Places
 class TinMaker final : public QMESHFeatureMaker
 {
   public:
-    explicit TinMaker(const TerrainSet &oSet) : QMESHFeatureMaker("triangles", wkbTINZ, oSet) {}
+    explicit TinMaker(const Tileset &oSet) : QMESHFeatureMaker("triangles", wkbTINZ, oSet) {}
 
     std::unique_ptr<OGRFeature> Make(const QMESHTileContent &oContent, size_t) override
     {
@@ -85,7 +85,7 @@ class TinMaker final : public QMESHFeatureMaker
 class MultiPolygonMaker final : public QMESHFeatureMaker
 {
   public:
-    explicit MultiPolygonMaker(const TerrainSet &oSet)
+    explicit MultiPolygonMaker(const Tileset &oSet)
         : QMESHFeatureMaker("triangles", wkbMultiPolygon25D, oSet)
     {
     }
@@ -107,8 +107,7 @@ class MultiPolygonMaker final : public QMESHFeatureMaker
 class PolygonMaker final : public QMESHFeatureMaker
 {
   public:
-    explicit PolygonMaker(const TerrainSet &oSet)
-        : QMESHFeatureMaker("triangles", wkbPolygon25D, oSet)
+    explicit PolygonMaker(const Tileset &oSet) : QMESHFeatureMaker("triangles", wkbPolygon25D, oSet)
     {
     }
 
@@ -130,7 +129,7 @@ class PolygonMaker final : public QMESHFeatureMaker
 class VertexMaker final : public QMESHFeatureMaker
 {
   public:
-    explicit VertexMaker(const TerrainSet &oSet) : QMESHFeatureMaker("vertices", wkbPoint25D, oSet)
+    explicit VertexMaker(const Tileset &oSet) : QMESHFeatureMaker("vertices", wkbPoint25D, oSet)
     {
         AddField("height", OFTReal);
     }
@@ -156,7 +155,7 @@ class VertexMaker final : public QMESHFeatureMaker
 class TileMaker final : public QMESHFeatureMaker
 {
   public:
-    explicit TileMaker(const TerrainSet &oSet) : QMESHFeatureMaker("tiles", wkbPolygon, oSet)
+    explicit TileMaker(const Tileset &oSet) : QMESHFeatureMaker("tiles", wkbPolygon, oSet)
     {
         for (const char *pszName : {"vertices", "triangles"})
             AddField(pszName, OFTInteger);
@@ -221,7 +220,7 @@ class TileMaker final : public QMESHFeatureMaker
     }
 };
 
-std::unique_ptr<QMESHFeatureMaker> TriangleMaker(const TerrainSet &oSet, QMESHGeometry eGeometry)
+std::unique_ptr<QMESHFeatureMaker> TriangleMaker(const Tileset &oSet, QMESHGeometry eGeometry)
 {
     switch (eGeometry)
     {
@@ -240,7 +239,7 @@ std::unique_ptr<QMESHFeatureMaker> TriangleMaker(const TerrainSet &oSet, QMESHGe
 } // namespace
 
 QMESHFeatureMaker::QMESHFeatureMaker(const char *pszName, OGRwkbGeometryType eType,
-                                     const TerrainSet &oSet)
+                                     const Tileset &oSet)
     : m_oSet(oSet), m_poDefn(new OGRFeatureDefn(pszName))
 {
     m_poDefn->Reference();
@@ -286,7 +285,7 @@ void QMESHFeatureMaker::SetGeometry(OGRFeature &oFeature,
 std::vector<std::unique_ptr<OGRLayer>> QMESHMakeLayers(qmesh::TileCache &oCache, int nZoom,
                                                        QMESHGeometry eGeometry)
 {
-    const TerrainSet &oSet = oCache.set();
+    const Tileset &oSet = oCache.set();
     std::vector<std::unique_ptr<OGRLayer>> apoLayers;
     const auto Add = [&](std::unique_ptr<QMESHFeatureMaker> poMaker)
     { apoLayers.push_back(std::make_unique<QMESHLayer>(oCache, nZoom, std::move(poMaker))); };

@@ -7,7 +7,7 @@
 
 #include "qmesh_errors.h"
 #include "qmesh_identify.h"
-#include "sink/set_files.h"
+#include "sink/tileset_files.h"
 
 namespace
 {
@@ -36,7 +36,7 @@ CPLErr QMESHDelete(const char *pszName)
     if (!IsTile(pszName))
     {
         const std::string osFolder = QMESHFolderOf(pszName);
-        const qmesh::Status oStatus = qmesh::deleteSet(osFolder);
+        const qmesh::Status oStatus = qmesh::deleteTileset(osFolder);
         osLastDeleted = oStatus.ok() ? osFolder : "";
         return Finish(oStatus);
     }
@@ -54,7 +54,7 @@ bool QMESHHasJustDeleted(const std::string &osFolder)
 CPLErr QMESHRename(const char *pszNewName, const char *pszOldName)
 {
     if (!IsTile(pszOldName))
-        return Finish(qmesh::renameSet(QMESHFolderOf(pszOldName), QMESHFolderOf(pszNewName)));
+        return Finish(qmesh::renameTileset(QMESHFolderOf(pszOldName), QMESHFolderOf(pszNewName)));
     const std::string osNew = QMESHStripPrefix(pszNewName);
     if (CPLMoveFile(osNew.c_str(), QMESHStripPrefix(pszOldName).c_str()) == 0)
         return CE_None;
@@ -66,7 +66,7 @@ CPLErr QMESHRename(const char *pszNewName, const char *pszOldName)
 CPLErr QMESHCopyFiles(const char *pszNewName, const char *pszOldName)
 {
     if (!IsTile(pszOldName))
-        return Finish(qmesh::copySet(QMESHFolderOf(pszOldName), QMESHFolderOf(pszNewName)));
+        return Finish(qmesh::copyTileset(QMESHFolderOf(pszOldName), QMESHFolderOf(pszNewName)));
     const std::string osNew = QMESHStripPrefix(pszNewName);
     if (CPLCopyFile(osNew.c_str(), QMESHStripPrefix(pszOldName).c_str()) == 0)
         return CE_None;

@@ -6,8 +6,8 @@
 
 #include <cpl_error.h>
 
-/// GDALDriver::pfnDelete: removes the files of a set that are its own (see sink/set_files.h), or
-/// one tile. Nothing is removed where the name is no dataset of this driver.
+/// GDALDriver::pfnDelete: removes the files of a set that are its own (see sink/tileset_files.h),
+/// or one tile. Nothing is removed where the name is no dataset of this driver.
 CPLErr QMESHDelete(const char *pszName);
 
 /// GDALDriver::pfnRename: moves a set to a folder that is not there or empty.

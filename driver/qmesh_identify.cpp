@@ -10,7 +10,7 @@
 #include <cpl_string.h>
 #include <cpl_vsi.h>
 
-#include "sink/set_files.h"
+#include "sink/tileset_files.h"
 #include "tileset/tile_address.h"
 #include "vsi/quiet_errors.h"
 
@@ -153,7 +153,7 @@ QMESHName QMESHIdentifyName(GDALOpenInfo *poOpenInfo)
     std::string osPath = QMESHStripPrefix(pszName);
     if (poOpenInfo->bIsDirectory)
     {
-        if (qmesh::isTerrainSet(osPath))
+        if (qmesh::holdsTileset(osPath))
             return {QMESHKind::Set, osPath + "/" + qmesh::kLayerJsonName};
         return {};
     }

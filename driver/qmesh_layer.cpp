@@ -10,9 +10,9 @@
 
 using qmesh::Result;
 using qmesh::Scheme;
-using qmesh::TerrainSet;
 using qmesh::TileId;
 using qmesh::TileRange;
+using qmesh::Tileset;
 
 namespace
 {
@@ -93,7 +93,7 @@ QMESHLayer::QMESHLayer(qmesh::TileCache &oCache, int nZoom,
 
 std::vector<TileRange> QMESHLayer::Ranges() const
 {
-    const TerrainSet &oSet = m_oCache.set();
+    const Tileset &oSet = m_oCache.set();
     if (m_nZoom <= oSet.available().maxZoom())
         return oSet.available().ranges(m_nZoom);
     const auto oTiles = qmesh::rasterTiles(oSet, m_nZoom);

@@ -43,7 +43,7 @@ struct QMESHTileContent
 class QMESHFeatureMaker
 {
   public:
-    QMESHFeatureMaker(const char *pszName, OGRwkbGeometryType eType, const qmesh::TerrainSet &oSet);
+    QMESHFeatureMaker(const char *pszName, OGRwkbGeometryType eType, const qmesh::Tileset &oSet);
     virtual ~QMESHFeatureMaker();
     QMESHFeatureMaker(const QMESHFeatureMaker &) = delete;
     QMESHFeatureMaker &operator=(const QMESHFeatureMaker &) = delete;
@@ -64,7 +64,7 @@ class QMESHFeatureMaker
     /// Takes the geometry unless it is not wanted.
     void SetGeometry(OGRFeature &oFeature, std::unique_ptr<OGRGeometry> poGeometry) const;
 
-    const qmesh::TerrainSet &m_oSet;
+    const qmesh::Tileset &m_oSet;
 
   private:
     OGRFeatureDefn *m_poDefn;

@@ -37,8 +37,8 @@ struct Border {
 /// (Douglas & Peucker 1973) on heights rounded to the level's lattice S and on decoded places,
 /// until every node of the edge is within the max error (promise P2): where a vertex's rounded
 /// place puts its own node on the slope of a cliff, the node gets the place on its other side as
-/// well and so lies on the level between the two. The nodes of the curvature grid always belong to
-/// the edge. A pole's edge has the curvature grid only.
+/// well and so lies on the level between the two. The nodes of the base grid always belong to
+/// the edge. A pole's edge has the base grid only.
 void makeBorder(const HeightTile& tile, const TileFrame& frame, const LevelParams& level,
                 Border& border);
 

@@ -21,7 +21,7 @@ struct EdgeStretch {
 /// the edge, those to both sides of it and the level.
 using StretchRule = std::function<bool(const EdgeStretch&)>;
 
-/// Edges by repeated halving of the curvature grid's stretches; a pole's edge is not halved.
+/// Edges by repeated halving of the base grid's stretches; a pole's edge is not halved.
 void makeDyadicBorder(const HeightTile& tile, const TileFrame& frame, const LevelParams& level,
                       const StretchRule& cuts, Border& border);
 

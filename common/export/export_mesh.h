@@ -31,6 +31,6 @@ struct ExportMesh {
 };
 
 /// Takes the mesh of a tile as it is encoded, for other programs; many threads call at once.
-using MeshTaker = std::function<Status(TileId, const ExportMesh&)>;
+using MeshCallback = std::function<Status(TileId, const ExportMesh&)>;
 
 } // namespace qmesh

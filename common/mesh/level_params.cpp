@@ -35,7 +35,7 @@ double latticeStep(const Scheme& scheme, int zoom, double maxErrorMetres) {
   return step;
 }
 
-int curvatureGrid(const Scheme& scheme, int zoom, double maxErrorMetres, int cellsPerTile) {
+int baseGridOf(const Scheme& scheme, int zoom, double maxErrorMetres, int cellsPerTile) {
   const double tileRadians = 2 * wgs84::kPi / scheme.tilesX(zoom);
   const double cellRadians = std::sqrt(4 * maxErrorMetres / wgs84::kSemiMajor);
   int cells = 1;
@@ -49,7 +49,7 @@ LevelParams levelParams(const Scheme& scheme, int zoom, double maxErrorMetres, i
   level.zoom = zoom;
   level.maxError = maxErrorMetres;
   level.latticeStep = latticeStep(scheme, zoom, maxErrorMetres);
-  level.baseGrid = curvatureGrid(scheme, zoom, maxErrorMetres, cellsPerTile);
+  level.baseGrid = baseGridOf(scheme, zoom, maxErrorMetres, cellsPerTile);
   return level;
 }
 

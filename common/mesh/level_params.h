@@ -12,7 +12,7 @@ struct LevelParams {
   int zoom = 0;
   double maxError = 0;    ///< e, metres, >= 0
   double latticeStep = 1; ///< S, metres, a power of two: see latticeStep()
-  int baseGrid = 1;       ///< cells per edge of the curvature grid, a power of two, 1..N
+  int baseGrid = 1;       ///< cells per edge of the base grid, a power of two, 1..N
 
   /// What the rounding of a border vertex's height to the lattice may cost, metres, with a margin:
   /// no border can be held to less.
@@ -28,7 +28,7 @@ double latticeStep(const Scheme& scheme, int zoom, double maxErrorMetres);
 
 /// Cells per tile edge that keep the sag of a triangle's hypotenuse on the sphere, L^2 / (4 R),
 /// within `maxErrorMetres`; a power of two, at most `cellsPerTile`.
-int curvatureGrid(const Scheme& scheme, int zoom, double maxErrorMetres, int cellsPerTile);
+int baseGridOf(const Scheme& scheme, int zoom, double maxErrorMetres, int cellsPerTile);
 
 LevelParams levelParams(const Scheme& scheme, int zoom, double maxErrorMetres, int cellsPerTile);
 

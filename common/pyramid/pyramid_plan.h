@@ -37,7 +37,7 @@ struct TilesetInput {
   TilesetOptions options;
   const PyramidPlan& plan;
   const NodeSourceFactory& source;
-  MeshTaker meshes = {}; ///< of every tile written (--debug-meshes); empty: nobody wants them
+  MeshCallback meshes = {}; ///< of every tile written (--debug-meshes); empty: nobody wants them
 };
 
 /// Plans the pyramid. Tiles are those whose square meets the data's extent at the maximum zoom

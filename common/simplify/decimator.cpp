@@ -24,8 +24,8 @@ bool isTooSteep(const SpanCorner& a, const SpanCorner& b, const SpanCorner& c, f
 
 } // namespace
 
-int Decimator::run(Triangulation& mesh, NodeHeights& heights, const CurvatureGrid& grid,
-                   float tolerance, const ErrorDistance& distance) {
+int Decimator::run(Triangulation& mesh, NodeHeights& heights, const BaseGrid& grid, float tolerance,
+                   const ErrorDistance& distance) {
   distance_ = distance;
   grid_ = grid;
   return removeVertices(mesh, grid,

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "mesh/curvature_grid.h"
+#include "mesh/base_grid.h"
 #include "simplify/metric_scale.h"
 #include "simplify/node_heights.h"
 #include "simplify/triangulation.h"
@@ -21,7 +21,7 @@ class Decimator {
   /// triangle is counter-clockwise and no unmasked node of them, its own included, is off by more
   /// than the tolerance (metres). The grid's nodes stay, and no edge becomes longer than it
   /// permits. Returns how many went.
-  int run(Triangulation& mesh, NodeHeights& heights, const CurvatureGrid& grid, float tolerance,
+  int run(Triangulation& mesh, NodeHeights& heights, const BaseGrid& grid, float tolerance,
           const ErrorDistance& distance = {});
 
   /// Takes one vertex out, the first that the geometry permits; heights do not count.
@@ -58,7 +58,7 @@ class Decimator {
   }
 
   ErrorDistance distance_;
-  CurvatureGrid grid_;
+  BaseGrid grid_;
   std::vector<std::int32_t> star_; ///< half-edges that leave the vertex
   std::vector<Neighbour> ring_;    ///< their ends, counter-clockwise
   std::vector<Target> targets_;

@@ -17,7 +17,7 @@ std::int64_t areaOf(const Tin& tin, const TinTriangle& t) {
 
 } // namespace
 
-void leaveForbiddenCount(const TileFrame& frame, Tin& tin) {
+void avoidForbiddenVertexCount(const TileFrame& frame, Tin& tin) {
   if (tin.vertices.size() != kForbiddenVertexCount)
     return;
   const auto largest = std::max_element(
@@ -37,7 +37,7 @@ void leaveForbiddenCount(const TileFrame& frame, Tin& tin) {
 
 void finishTin(const HeightTile& tile, const TileFrame& frame, const LevelParams& level,
                StopReason reason, Tin& tin) {
-  leaveForbiddenCount(frame, tin);
+  avoidForbiddenVertexCount(frame, tin);
   const ErrorMeasure measure = measureError(tile, frame, tin);
   tin.maxError = measure.max;
   tin.sumSquaredError = measure.sumSquared;

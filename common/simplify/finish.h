@@ -17,6 +17,6 @@ void finishTin(const HeightTile& tile, const TileFrame& frame, const LevelParams
 
 /// Gives a TIN of kForbiddenVertexCount vertices one more, within its largest triangle and on its
 /// plane (to the frame's step). Others stay as they are.
-void leaveForbiddenCount(const TileFrame& frame, Tin& tin);
+void avoidForbiddenVertexCount(const TileFrame& frame, Tin& tin);
 
 } // namespace qmesh

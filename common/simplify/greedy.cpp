@@ -4,7 +4,7 @@
 #include <cassert>
 #include <cmath>
 
-#include "mesh/curvature_grid.h"
+#include "mesh/base_grid.h"
 #include "simplify/decimator.h"
 #include "simplify/exact_refinement.h"
 #include "simplify/methods.h"
@@ -38,7 +38,7 @@ class Greedy final : public Simplifier {
   void seed(double tolerance);
   void insertNode(int i, int j, std::int32_t hint);
   void maskBorder(const Border& border);
-  ErrorMeasure leaveForbiddenCount(Tin& out);
+  ErrorMeasure avoidForbiddenVertexCount(Tin& out);
   void report(const ErrorMeasure& measure, const LevelParams& level, Tin& out) const;
 
   MethodOptions options_;
@@ -61,7 +61,7 @@ Status Greedy::simplify(const HeightTile& tile, const TileFrame& frame, const Bo
   const Result<int> asked = askedGrid(level, tile.cells());
   if (!asked.ok())
     return asked.status();
-  CurvatureGrid grid(frame, level);
+  BaseGrid grid(frame, level);
   grid.addNodes(*asked);
   const bool across = options_.errorType == ErrorType::distance3d;
   distance_ = across ? ErrorDistance(metricScale(tile)) : ErrorDistance();
@@ -80,12 +80,12 @@ Status Greedy::simplify(const HeightTile& tile, const TileFrame& frame, const Bo
   }
   ErrorMeasure measure = exact_.run(nodes_, out);
   if (out.vertices.size() == kForbiddenVertexCount)
-    measure = leaveForbiddenCount(out);
+    measure = avoidForbiddenVertexCount(out);
   report(measure, level, out);
   return {};
 }
 
-/// Cells per edge of the grid whose nodes stay: the curvature grid or a finer one that was asked
+/// Cells per edge of the grid whose nodes stay: the base grid or a finer one that was asked
 /// for.
 Result<int> Greedy::askedGrid(const LevelParams& level, int cells) const {
   const auto asked = options_.initGrid.find(level.zoom);
@@ -173,7 +173,7 @@ void Greedy::maskBorder(const Border& border) {
 }
 
 /// A mesh of 65536 vertices gets one more, the worst node of all, or has to do with one less.
-ErrorMeasure Greedy::leaveForbiddenCount(Tin& out) {
+ErrorMeasure Greedy::avoidForbiddenVertexCount(Tin& out) {
   if (exact_.insertWorst(nodes_))
     return exact_.run(nodes_, out);
   decimator_.removeAny(mesh_, heights_);

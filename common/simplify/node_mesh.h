@@ -18,7 +18,7 @@ namespace qmesh {
 /// places and heights. Memory is kept from tile to tile.
 class NodeMesh {
  public:
-  /// Begins with the corners, the border's vertices and the inner nodes of the curvature grid.
+  /// Begins with the corners, the border's vertices and the inner nodes of the base grid.
   /// REQUIRES: the tile and the frame live as long as the mesh is used.
   void reset(const HeightTile& tile, const TileFrame& frame, const Border& border, int baseGrid);
 

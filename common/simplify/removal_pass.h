@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "mesh/curvature_grid.h"
+#include "mesh/base_grid.h"
 #include "simplify/triangulation.h"
 
 namespace qmesh {
@@ -13,7 +13,7 @@ namespace qmesh {
 /// vertex out, in the order of their numbers; those that the grid keeps stay. Returns how many
 /// went.
 template <class TryRemove>
-int removeVertices(const Triangulation& mesh, const CurvatureGrid& grid, TryRemove tryRemove) {
+int removeVertices(const Triangulation& mesh, const BaseGrid& grid, TryRemove tryRemove) {
   int removed = 0;
   for (std::int32_t v = 0; v < std::int32_t(mesh.vertices().size()); ++v) {
     const NodeVertex& vertex = mesh.vertex(v);

@@ -38,7 +38,7 @@ class Simplifier {
   virtual bool choosesBorder() const { return false; }
 
   /// The TIN has exactly the border's vertices on its final edges, at least those on its free ones,
-  /// the nodes of the curvature grid, and passes checkTin(); `out` is overwritten. An error names
+  /// the nodes of the base grid, and passes checkTin(); `out` is overwritten. An error names
   /// the tile.
   virtual Status simplify(const HeightTile& tile, const TileFrame& frame, const Border& border,
                           const LevelParams& level, Tin& out) = 0;

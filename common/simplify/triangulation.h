@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "mesh/curvature_grid.h"
+#include "mesh/base_grid.h"
 #include "mesh/tin.h"
 #include "mesh/triangle_spans.h"
 
@@ -41,7 +41,7 @@ class Triangulation {
 
   /// Until the next reset() insertion flips no edge into one that is longer than the grid permits:
   /// a mesh of shorter ones that is not Delaunay keeps to it as well. DEFAULT: no limit.
-  void limitFlips(const CurvatureGrid& grid) { grid_ = grid; }
+  void limitFlips(const BaseGrid& grid) { grid_ = grid; }
 
   /// Adds a vertex in the triangle that holds it; the search begins at `hint`.
   /// REQUIRES: no vertex at its place; it lies within the square. Returns its index.
@@ -107,7 +107,7 @@ class Triangulation {
   std::int32_t bestEar(const std::vector<std::int32_t>& star) const;
   void moveCorner(std::int32_t halfEdge, std::int32_t target);
 
-  CurvatureGrid grid_;
+  BaseGrid grid_;
   std::vector<NodeVertex> vertices_;
   std::vector<std::int32_t> leaving_;
   std::vector<std::int32_t> origin_;

@@ -6,7 +6,7 @@
 
 namespace qmesh {
 
-int VertexRemoval::run(Triangulation& mesh, const NodeHeights& heights, const CurvatureGrid& grid,
+int VertexRemoval::run(Triangulation& mesh, const NodeHeights& heights, const BaseGrid& grid,
                        float tolerance) {
   grid_ = grid;
   return removeVertices(mesh, grid,

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "mesh/curvature_grid.h"
+#include "mesh/base_grid.h"
 #include "simplify/node_heights.h"
 #include "simplify/triangulation.h"
 
@@ -20,8 +20,7 @@ class VertexRemoval {
   /// One pass over the inner vertices in the order of their numbers; one goes when the hole can be
   /// filled by cutting ears so that no unmasked node is off by more than the tolerance (metres).
   /// The grid's nodes stay, and no edge becomes longer than it permits. Returns how many went.
-  int run(Triangulation& mesh, const NodeHeights& heights, const CurvatureGrid& grid,
-          float tolerance);
+  int run(Triangulation& mesh, const NodeHeights& heights, const BaseGrid& grid, float tolerance);
 
  private:
   bool tryRemove(Triangulation& mesh, const NodeHeights& heights, std::int32_t v, float tolerance);
@@ -31,7 +30,7 @@ class VertexRemoval {
     return mesh.vertex(ring_[std::size_t(left_[k % left_.size()])]).corner;
   }
 
-  CurvatureGrid grid_;
+  BaseGrid grid_;
   std::vector<std::int32_t> star_;
   std::vector<std::int32_t> ring_;                ///< vertices around, counter-clockwise
   std::vector<std::int32_t> left_;                ///< corners of the hole's rest, as ring indices

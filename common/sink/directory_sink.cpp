@@ -6,8 +6,8 @@
 
 #include <cpl_vsi.h>
 
-#include "sink/set_files.h"
-#include "sink/set_swap.h"
+#include "sink/tileset_files.h"
+#include "sink/tileset_swap.h"
 #include "vsi/folder_lock.h"
 #include "vsi/quiet_errors.h"
 #include "vsi/vsi_files.h"
@@ -52,7 +52,7 @@ class DirectorySink : public TileSink {
   void close();
 
   std::string output_, hidden_;
-  SetSwap swap_;
+  TilesetSwap swap_;
   bool xyz_;
   bool open_ = false;
   bool keepHidden_ = false;       ///< it holds what could not be put back

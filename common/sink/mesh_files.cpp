@@ -7,7 +7,7 @@
 
 namespace qmesh {
 
-MeshTaker meshFiles(const OutputOptions& options) {
+MeshCallback meshFiles(const OutputOptions& options) {
   if (options.debugMeshes.empty())
     return {};
   return [folder = options.debugMeshes, format = options.debugFormat,

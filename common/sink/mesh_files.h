@@ -10,6 +10,6 @@ namespace qmesh {
 /// --debug-meshes: a taker that writes DIR/{z}/{x}/{y}.FORMAT, rows numbered as in the set; files
 /// of that name are replaced, others stay. Empty where the option is not given. What an interrupted
 /// run wrote stays. Code::output where a file cannot be written.
-MeshTaker meshFiles(const OutputOptions& options);
+MeshCallback meshFiles(const OutputOptions& options);
 
 } // namespace qmesh

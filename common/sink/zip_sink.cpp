@@ -10,7 +10,7 @@
 
 #include "base/text.h"
 #include "codec/gzip.h"
-#include "sink/set_files.h"
+#include "sink/tileset_files.h"
 #include "vsi/folder_lock.h"
 #include "vsi/quiet_errors.h"
 #include "vsi/vsi_files.h"
@@ -69,10 +69,10 @@ bool holdsOneSet(const ZipName& name) {
     const std::string entry = entries[k];
     if (entry.back() == '/' || entry == name.folder)
       continue;
-    if (entry.compare(0, prefix.size(), prefix) != 0 || !isSetFile(entry.substr(prefix.size())))
+    if (entry.compare(0, prefix.size(), prefix) != 0 || !isTilesetFile(entry.substr(prefix.size())))
       return false;
   }
-  return isTerrainSet(name.folder.empty() ? top : top + "/" + name.folder);
+  return holdsTileset(name.folder.empty() ? top : top + "/" + name.folder);
 }
 
 /// Writes one archive, entry by entry.

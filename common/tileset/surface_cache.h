@@ -7,8 +7,8 @@
 
 #include "base/lru_cache.h"
 #include "surface/surface_search.h"
-#include "tileset/terrain_set.h"
 #include "tileset/tile_cache.h"
+#include "tileset/tileset.h"
 
 namespace qmesh {
 
@@ -26,7 +26,7 @@ std::optional<TilePosition> tileAt(const Scheme& scheme, int zoom, double lon, d
 /// Decoded tiles with their surfaces, the last used ones kept. Serves one thread.
 class SurfaceCache {
  public:
-  explicit SurfaceCache(const TerrainSet& set) : set_(&set), surfaces_(kKept) {}
+  explicit SurfaceCache(const Tileset& set) : set_(&set), surfaces_(kKept) {}
 
   /// Height in metres of the tile's surface; nothing where there is no tile or no triangle.
   /// Code::input for a tile that cannot be read.
@@ -45,7 +45,7 @@ class SurfaceCache {
   /// Valid until the next call.
   Result<const Surface*> find(TileId tile);
 
-  const TerrainSet* set_;
+  const Tileset* set_;
   LruCache<TileId, SurfacePtr, TileIdHash> surfaces_;
 };
 

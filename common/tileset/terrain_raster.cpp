@@ -61,7 +61,7 @@ TileRange tilesOf(const GeoBox& box, const Scheme& scheme, int zoom) {
 
 } // namespace
 
-std::optional<TileRange> rasterTiles(const TerrainSet& set, int zoom) {
+std::optional<TileRange> rasterTiles(const Tileset& set, int zoom) {
   std::optional<TileRange> box = set.available().bounds(zoom);
   if (box)
     goRound(set.available().ranges(zoom), set.scheme().tilesX(zoom), *box);

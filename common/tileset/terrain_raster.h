@@ -67,6 +67,6 @@ class TerrainRaster {
 /// beyond the last column where the tiles lie on both sides of the antimeridian and a gap is
 /// elsewhere. Of a level that is deeper than what is known: the tiles that meet "bounds". Nothing
 /// where the set cannot have tiles there.
-std::optional<TileRange> rasterTiles(const TerrainSet& set, int zoom);
+std::optional<TileRange> rasterTiles(const Tileset& set, int zoom);
 
 } // namespace qmesh

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "base/lru_cache.h"
-#include "tileset/terrain_set.h"
+#include "tileset/tileset.h"
 
 namespace qmesh {
 
@@ -24,9 +24,9 @@ using MeshPtr = std::shared_ptr<const TileMesh>;
 class TileCache {
  public:
   /// `set` must outlive the cache.
-  explicit TileCache(const TerrainSet& set) : set_(&set), meshes_(kCapacity) {}
+  explicit TileCache(const Tileset& set) : set_(&set), meshes_(kCapacity) {}
 
-  const TerrainSet& set() const { return *set_; }
+  const Tileset& set() const { return *set_; }
 
   /// Tiles the set cannot have are not looked for. Code::input for one that is damaged or cannot be
   /// read; that is not remembered.
@@ -38,7 +38,7 @@ class TileCache {
  private:
   static constexpr std::size_t kCapacity = std::size_t(32) << 20; ///< bytes
 
-  const TerrainSet* set_;
+  const Tileset* set_;
   LruCache<TileId, MeshPtr, TileIdHash> meshes_;
   std::string firstMissing_;
 };

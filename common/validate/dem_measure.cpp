@@ -69,7 +69,7 @@ struct MeasuredBlock {
 /// What one thread works with.
 class Worker {
  public:
-  static Result<std::unique_ptr<Worker>> open(const TerrainSet& set, const RasterInput& dem) {
+  static Result<std::unique_ptr<Worker>> open(const Tileset& set, const RasterInput& dem) {
     Result<DatasetPtr> dataset = dem.access.open();
     if (!dataset.ok())
       return dataset.status();
@@ -79,8 +79,7 @@ class Worker {
     return std::make_unique<Worker>(set, dem, *std::move(dataset), *std::move(transform));
   }
 
-  Worker(const TerrainSet& set, const RasterInput& dem, DatasetPtr dataset,
-         PointTransform transform)
+  Worker(const Tileset& set, const RasterInput& dem, DatasetPtr dataset, PointTransform transform)
       : scheme_(set.scheme()), dem_(dem), dataset_(std::move(dataset)),
         transform_(std::move(transform)),
         reader_(*dataset_->GetRasterBand(dem.band), dem, PixelLevel::full(dem.frame), 0),
@@ -210,7 +209,7 @@ void finish(LevelError& level, std::vector<float>& kept) {
   level.p99 = double(*place);
 }
 
-std::vector<int> zoomsWithTiles(const TerrainSet& set, const MeasurePlan& plan) {
+std::vector<int> zoomsWithTiles(const Tileset& set, const MeasurePlan& plan) {
   std::vector<int> zooms;
   for (int zoom = plan.firstZoom; zoom <= plan.lastZoom; ++zoom)
     if (set.available().count(zoom) > 0 || zoom > set.available().maxZoom())
@@ -252,8 +251,8 @@ class Totals {
   std::int64_t keepEvery_;
 };
 
-Result<std::vector<std::unique_ptr<Worker>>> openWorkers(const TerrainSet& set,
-                                                         const RasterInput& dem, int count) {
+Result<std::vector<std::unique_ptr<Worker>>> openWorkers(const Tileset& set, const RasterInput& dem,
+                                                         int count) {
   std::vector<std::unique_ptr<Worker>> workers;
   for (int k = 0; k < count; ++k) {
     Result<std::unique_ptr<Worker>> worker = Worker::open(set, dem);
@@ -289,7 +288,7 @@ class BlockList {
 
 } // namespace
 
-Result<DemReport> measureAgainstDem(const TerrainSet& set, const MeasurePlan& plan,
+Result<DemReport> measureAgainstDem(const Tileset& set, const MeasurePlan& plan,
                                     const InputOptions& input, const HeightOptions& heights,
                                     std::vector<std::string>& warnings, const Progress& progress) {
   const Result<RasterInput> dem = describeRaster(input, heights.bathymetry, nullptr, warnings);

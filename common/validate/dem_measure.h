@@ -9,7 +9,7 @@
 #include "base/progress.h"
 #include "source/height_options.h"
 #include "source/input_options.h"
-#include "tileset/terrain_set.h"
+#include "tileset/tileset.h"
 
 namespace qmesh {
 
@@ -46,7 +46,7 @@ struct MeasurePlan {
 /// the same for any number of threads. With `errorRaster` the deepest of these zooms is written
 /// there. p99 is over all cells, or a regular part of them where there are more than 2 million.
 /// Code::input, Code::output or Code::interrupted.
-Result<DemReport> measureAgainstDem(const TerrainSet& set, const MeasurePlan& plan,
+Result<DemReport> measureAgainstDem(const Tileset& set, const MeasurePlan& plan,
                                     const InputOptions& input, const HeightOptions& heights,
                                     std::vector<std::string>& warnings, const Progress& progress);
 

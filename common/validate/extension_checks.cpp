@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "codec/metadata.h"
-#include "validate/set_checks.h"
+#include "validate/tileset_checks.h"
 
 namespace qmesh {
 

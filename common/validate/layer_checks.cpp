@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "codec/json_reading.h"
-#include "validate/set_checks.h"
+#include "validate/tileset_checks.h"
 
 namespace qmesh {
 

@@ -2,7 +2,7 @@
 // Copyright (c) 2026 the qmesh authors
 #include "validate/seam_walk.h"
 
-#include "validate/open_set.h"
+#include "validate/open_tileset.h"
 
 namespace qmesh {
 

@@ -7,7 +7,7 @@
 #include "base/in_order.h"
 #include "surface/surface_raster.h"
 #include "validate/seam_walk.h"
-#include "validate/set_checks.h"
+#include "validate/tileset_checks.h"
 
 namespace qmesh {
 
@@ -66,7 +66,7 @@ struct SeenTile {
 /// The walk over a set.
 class Surveyor {
  public:
-  Surveyor(const OpenedSet& opened, const SurveyPlan& plan, const Progress& progress)
+  Surveyor(const OpenedTileset& opened, const SurveyPlan& plan, const Progress& progress)
       : set_(opened.set), announced_(opened.announced), plan_(plan), progress_(progress),
         total_(tilesOf(opened.set, plan)) {}
 
@@ -78,7 +78,7 @@ class Surveyor {
   void check(TileId tile, const ReadTile& read, SeenTile& seen) const;
   Status take(TileId tile, SeenTile seen, SurveyLevel& level, SeamWalk& seams);
 
-  const TerrainSet& set_;
+  const Tileset& set_;
   bool announced_;
   const SurveyPlan& plan_;
   const Progress& progress_;
@@ -191,13 +191,13 @@ Status Surveyor::level(int zoom) {
 }
 
 /// Files in the folder that no client asks for.
-void checkFiles(const OpenedSet& opened, const SurveyPlan& plan) {
+void checkFiles(const OpenedTileset& opened, const SurveyPlan& plan) {
   if (!opened.listed)
     return;
   LayerJson bare = opened.set.layer();
   bare.available.clear();
   bare.metadataAvailability = 0;
-  const Result<TerrainSet> there = TerrainSet::of(opened.set.layerPath(), std::move(bare));
+  const Result<Tileset> there = Tileset::of(opened.set.layerPath(), std::move(bare));
   if (!there.ok())
     return;
   for (int zoom = plan.firstZoom; zoom <= there->available().maxZoom(); ++zoom) {
@@ -208,7 +208,7 @@ void checkFiles(const OpenedSet& opened, const SurveyPlan& plan) {
   }
 }
 
-void checkCompression(const Survey& survey, FindingBook& book) {
+void checkCompression(const Survey& survey, FindingCounts& book) {
   std::uint64_t compressed = 0;
   for (const SurveyLevel& level : survey.levels)
     compressed += level.compressed;
@@ -222,15 +222,15 @@ void checkCompression(const Survey& survey, FindingBook& book) {
 
 } // namespace
 
-std::uint64_t tilesOf(const TerrainSet& set, const SurveyPlan& plan) {
+std::uint64_t tilesOf(const Tileset& set, const SurveyPlan& plan) {
   std::uint64_t tiles = 0;
   for (int zoom = plan.firstZoom; zoom <= plan.lastZoom; ++zoom)
     tiles += set.available().count(zoom);
   return tiles;
 }
 
-Result<Survey> surveySet(const OpenedSet& opened, const SurveyPlan& plan,
-                         const Progress& progress) {
+Result<Survey> surveyTileset(const OpenedTileset& opened, const SurveyPlan& plan,
+                             const Progress& progress) {
   const bool whole = plan.book && !opened.set.singleTile();
   if (whole) {
     plan.book->add(opened.layerFindings);

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "base/progress.h"
-#include "tileset/terrain_set.h"
-#include "validate/finding_book.h"
-#include "validate/open_set.h"
+#include "tileset/tileset.h"
+#include "validate/finding_counts.h"
+#include "validate/open_tileset.h"
 #include "validate/seam_checks.h"
 
 namespace qmesh {
@@ -42,16 +42,17 @@ struct SurveyPlan {
   int firstZoom = 0;
   int lastZoom = 0;
   int threads = 1;
-  FindingBook* book = nullptr; ///< null: statistics only
+  FindingCounts* book = nullptr; ///< null: statistics only
 };
 
 /// Reads every listed tile of the zooms, level by level and row by row. With a book everything is
 /// checked: tiles, seams, and the set's list. Memory: a batch of tiles and the edges of two rows.
 /// Code::interrupted when `progress` asks for it; without a book also Code::input for a tile that
 /// cannot be read.
-Result<Survey> surveySet(const OpenedSet& opened, const SurveyPlan& plan, const Progress& progress);
+Result<Survey> surveyTileset(const OpenedTileset& opened, const SurveyPlan& plan,
+                             const Progress& progress);
 
-/// Tiles that surveySet() will read.
-std::uint64_t tilesOf(const TerrainSet& set, const SurveyPlan& plan);
+/// Tiles that surveyTileset() will read.
+std::uint64_t tilesOf(const Tileset& set, const SurveyPlan& plan);
 
 } // namespace qmesh

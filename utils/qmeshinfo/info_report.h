@@ -9,7 +9,7 @@
 #include "one_tile.h"
 #include "places.h"
 #include "validate/dem_measure.h"
-#include "validate/finding_book.h"
+#include "validate/finding_counts.h"
 #include "validate/survey.h"
 
 namespace qmesh {
@@ -17,10 +17,10 @@ namespace qmesh {
 /// All that one run has to say; parts that were not asked for are absent.
 struct InfoReport {
   std::string path; ///< as the user wrote it
-  const TerrainSet* set = nullptr;
+  const Tileset* set = nullptr;
   bool describe = true; ///< the set: not where only places or one tile were asked for
   std::optional<Survey> survey;
-  const FindingBook* book = nullptr;
+  const FindingCounts* book = nullptr;
   std::optional<TileReport> tile;
   std::optional<DemReport> dem;
   std::optional<std::vector<Sample>> samples;

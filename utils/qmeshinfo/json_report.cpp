@@ -54,7 +54,7 @@ Json layerJson(const LayerJson& layer, const Scheme& scheme) {
   return out;
 }
 
-Json levelsJson(const TerrainSet& set) {
+Json levelsJson(const Tileset& set) {
   Json levels = Json::array();
   for (int zoom = 0; zoom <= set.available().maxZoom(); ++zoom) {
     Json level = {{"zoom", zoom}, {"tiles", set.available().count(zoom)}};
@@ -109,7 +109,7 @@ Json placeJson(const Finding& finding) {
   return place;
 }
 
-Json validationJson(const Survey& survey, const FindingBook& book) {
+Json validationJson(const Survey& survey, const FindingCounts& book) {
   Json findings = Json::array();
   for (const auto& [code, entry] : book.entries()) {
     Json finding = kindJson(findingKind(code));
@@ -203,7 +203,7 @@ std::string textOf(const Json& json) {
 } // namespace
 
 std::string infoJson(const InfoReport& report) {
-  const TerrainSet& set = *report.set;
+  const Tileset& set = *report.set;
   Json out = {{"program", "qmeshinfo"}, {"version", QMESH_VERSION}, {"set", report.path}};
   if (report.describe) {
     out["layer"] = layerJson(set.layer(), set.scheme());

@@ -9,7 +9,7 @@
 #include "export/mesh_writers.h"
 #include "geo/octahedral.h"
 #include "surface/surface_raster.h"
-#include "validate/open_set.h"
+#include "validate/open_tileset.h"
 #include "vsi/png_file.h"
 #include "vsi/vsi_files.h"
 
@@ -46,7 +46,7 @@ Status writeText(const std::string& path, const std::string& text) {
 
 } // namespace
 
-Result<TileReport> describeTile(const TerrainSet& set, TileId tile) {
+Result<TileReport> describeTile(const Tileset& set, TileId tile) {
   const Scheme scheme = set.scheme();
   if (tile.x >= scheme.tilesX(tile.z) || tile.y >= scheme.tilesY(tile.z))
     return Status(Code::input, "there is no tile " + tileName(tile) + ": zoom " +

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "qmeshinfo/info_options.h"
-#include "tileset/terrain_set.h"
+#include "tileset/tileset.h"
 #include "validate/tile_bytes.h"
 
 namespace qmesh {
@@ -24,7 +24,7 @@ struct TileReport {
 
 /// Code::input where the tile is not in the matrix, there is no file or no mesh can be read from
 /// it.
-Result<TileReport> describeTile(const TerrainSet& set, TileId tile);
+Result<TileReport> describeTile(const Tileset& set, TileId tile);
 
 /// Writes --export and --draw. Code::output.
 Status exportTile(const TileReport& report, const InfoOptions& options);

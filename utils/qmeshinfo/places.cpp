@@ -46,7 +46,7 @@ Status sample(SurfaceCache& tiles, const Scheme& scheme, int lastZoom, Sample& p
 
 } // namespace
 
-Result<std::vector<Sample>> samplePlaces(const TerrainSet& set, int lastZoom,
+Result<std::vector<Sample>> samplePlaces(const Tileset& set, int lastZoom,
                                          const std::vector<std::string>& texts) {
   SurfaceCache tiles(set);
   std::vector<Sample> samples;

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "tileset/terrain_set.h"
+#include "tileset/tileset.h"
 
 namespace qmesh {
 
@@ -21,7 +21,7 @@ struct Sample {
 /// Heights of the deepest tile there is at each place, no deeper than `lastZoom`. `texts`:
 /// "LON,LAT", or "-" for lines of standard input. Code::usage for a text that is no place,
 /// Code::input for a tile that cannot be read.
-Result<std::vector<Sample>> samplePlaces(const TerrainSet& set, int lastZoom,
+Result<std::vector<Sample>> samplePlaces(const Tileset& set, int lastZoom,
                                          const std::vector<std::string>& texts);
 
 } // namespace qmesh

@@ -34,7 +34,7 @@ Result<std::set<int>> ignoredCodes(const InfoOptions& options) {
 /// The work on one set.
 class InfoRun {
  public:
-  InfoRun(const InfoOptions& options, OpenedSet& opened, Console& console)
+  InfoRun(const InfoOptions& options, OpenedTileset& opened, Console& console)
       : options_(options), opened_(opened), set_(opened.set), console_(console),
         firstZoom_(options.minZoom.value_or(0)),
         lastZoom_(std::min(options.maxZoom.value_or(kMaxZoom), std::max(0, set_.maxZoom()))) {
@@ -42,7 +42,7 @@ class InfoRun {
     report_.set = &set_;
   }
 
-  Status run(FindingBook& book) {
+  Status run(FindingCounts& book) {
     QMESH_RETURN_IF_ERROR(checkZooms());
     QMESH_RETURN_IF_ERROR(describeOne());
     if (options_.stats || options_.validate)
@@ -91,13 +91,13 @@ class InfoRun {
     return exportTile(*report_.tile, options_);
   }
 
-  Status survey(FindingBook& book) {
+  Status survey(FindingCounts& book) {
     SurveyPlan plan;
     plan.firstZoom = firstZoom_;
     plan.lastZoom = lastZoom_;
     plan.threads = threadsOf(options_);
     plan.book = options_.validate ? &book : nullptr;
-    Result<Survey> survey = surveySet(opened_, plan, progress());
+    Result<Survey> survey = surveyTileset(opened_, plan, progress());
     if (!survey.ok())
       return survey.status();
     report_.survey = *std::move(survey);
@@ -128,8 +128,8 @@ class InfoRun {
   }
 
   const InfoOptions& options_;
-  OpenedSet& opened_;
-  const TerrainSet& set_;
+  OpenedTileset& opened_;
+  const Tileset& set_;
   Console& console_;
   int firstZoom_, lastZoom_;
   InfoReport report_;
@@ -142,7 +142,7 @@ Result<InfoResult> runInfo(const InfoOptions& options, Console& console) {
   if (!ignored.ok())
     return ignored.status();
   GDALAllRegister();
-  Result<OpenedSet> opened = openSet(options.set);
+  Result<OpenedTileset> opened = openTileset(options.set);
   if (!opened.ok())
     return opened.status();
   if (!options.validate)
@@ -151,7 +151,7 @@ Result<InfoResult> runInfo(const InfoOptions& options, Console& console) {
         console.warning(codeText(finding.code) + ": " + findingKind(finding.code).title +
                         (finding.what.empty() ? "" : ": " + finding.what) +
                         " (--validate tells more)");
-  FindingBook book(std::size_t(options.maxFindings), *ignored);
+  FindingCounts book(std::size_t(options.maxFindings), *ignored);
   InfoRun run(options, *opened, console);
   QMESH_RETURN_IF_ERROR(run.run(book));
   InfoResult result;

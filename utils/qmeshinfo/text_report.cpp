@@ -61,7 +61,7 @@ const LayerJson::Level* recordOf(const LayerJson& layer, int zoom) {
 }
 
 std::string layerText(const InfoReport& report) {
-  const TerrainSet& set = *report.set;
+  const Tileset& set = *report.set;
   const LayerJson& layer = set.layer();
   std::string text = "Terrain: " + report.path + "\n";
   addLine(text, "Name", layer.name);
@@ -90,7 +90,7 @@ std::string layerText(const InfoReport& report) {
 }
 
 std::string levelsText(const InfoReport& report) {
-  const TerrainSet& set = *report.set;
+  const Tileset& set = *report.set;
   std::vector<std::vector<std::string>> rows = {
       {"zoom", "tiles", "columns", "rows", "west south east north", "max error m", "reached m"}};
   std::uint64_t tiles = 0;
@@ -185,7 +185,7 @@ std::string tileText(const TileReport& tile) {
   return text;
 }
 
-std::string validationText(const Survey& survey, const FindingBook& book) {
+std::string validationText(const Survey& survey, const FindingCounts& book) {
   std::string text;
   for (const auto& [code, entry] : book.entries()) {
     const FindingKind& kind = findingKind(code);

@@ -59,7 +59,7 @@ std::vector<int> nodesOf(const Made& made, Edge edge) {
 
 constexpr Edge kEdges[] = {kWest, kSouth, kEast, kNorth};
 
-TEST(MakeBorder, HasCornersAndCurvatureGridInOrder) {
+TEST(MakeBorder, HasCornersAndBaseGridInOrder) {
   for (const Place& place : places()) {
     for (const Terrain terrain : kTerrains) {
       SCOPED_TRACE(testing::Message() << place << " " << name(terrain));
@@ -152,7 +152,7 @@ TEST(MakeBorder, IsTheSameInBothTilesOfAnEdge) {
   }
 }
 
-TEST(MakeBorder, KeepsAPoleToTheCurvatureGrid) {
+TEST(MakeBorder, KeepsAPoleToTheBaseGrid) {
   const Place place{Profile::geodetic, 2, 3, 3, 32};
   TerrainPatch patch(place.lattice(), place.id(), 1, 1, Terrain::ridged, 5);
   for (int i = 0; i <= 32; ++i)

@@ -49,11 +49,11 @@ TEST(LatticeStep, StaysExactInTheHeader) {
   EXPECT_EQ(latticeStep(kMercator, 24, 1e-9), 1.0 / 1024);
 }
 
-TEST(CurvatureGrid, IsThirtyTwoAtTheRootsByDefault) {
-  EXPECT_EQ(curvatureGrid(kGeodetic, 0, kGeodetic.geometricError(0) / 4, 256), 32);
+TEST(BaseGrid, IsThirtyTwoAtTheRootsByDefault) {
+  EXPECT_EQ(baseGridOf(kGeodetic, 0, kGeodetic.geometricError(0) / 4, 256), 32);
 }
 
-TEST(CurvatureGrid, KeepsTheSagWithinTheMaxErrorAndIsTheSmallest) {
+TEST(BaseGrid, KeepsTheSagWithinTheMaxErrorAndIsTheSmallest) {
   for (const Scheme& scheme : {kGeodetic, kMercator}) {
     for (int zoom = 0; zoom <= 16; ++zoom) {
       const double maxError = scheme.geometricError(zoom) / 4;
@@ -62,7 +62,7 @@ TEST(CurvatureGrid, KeepsTheSagWithinTheMaxErrorAndIsTheSmallest) {
         const double side = angle / cells * wgs84::kSemiMajor;
         return side * side / (4 * wgs84::kSemiMajor);
       };
-      const int cells = curvatureGrid(scheme, zoom, maxError, 256);
+      const int cells = baseGridOf(scheme, zoom, maxError, 256);
       EXPECT_LE(sag(cells), maxError) << zoom;
       if (cells > 1) {
         EXPECT_GT(sag(cells / 2), maxError) << zoom;
@@ -71,10 +71,10 @@ TEST(CurvatureGrid, KeepsTheSagWithinTheMaxErrorAndIsTheSmallest) {
   }
 }
 
-TEST(CurvatureGrid, HasNoMoreCellsThanTheTile) {
-  EXPECT_EQ(curvatureGrid(kGeodetic, 0, 0, 64), 64);
-  EXPECT_EQ(curvatureGrid(kGeodetic, 0, 1, 8), 8);
-  EXPECT_EQ(curvatureGrid(kGeodetic, 14, 10, 256), 1);
+TEST(BaseGrid, HasNoMoreCellsThanTheTile) {
+  EXPECT_EQ(baseGridOf(kGeodetic, 0, 0, 64), 64);
+  EXPECT_EQ(baseGridOf(kGeodetic, 0, 1, 8), 8);
+  EXPECT_EQ(baseGridOf(kGeodetic, 14, 10, 256), 1);
 }
 
 TEST(LevelParams, CollectsThem) {
@@ -82,7 +82,7 @@ TEST(LevelParams, CollectsThem) {
   EXPECT_EQ(level.zoom, 3);
   EXPECT_EQ(level.maxError, 12);
   EXPECT_EQ(level.latticeStep, latticeStep(kMercator, 3, 12));
-  EXPECT_EQ(level.baseGrid, curvatureGrid(kMercator, 3, 12, 128));
+  EXPECT_EQ(level.baseGrid, baseGridOf(kMercator, 3, 12, 128));
 }
 
 } // namespace

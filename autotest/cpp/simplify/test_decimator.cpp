@@ -114,7 +114,7 @@ TEST(Decimator, NeverMakesAnErrorAboveTheTolerance) {
 TEST(Decimator, KeepsTheGridItIsToldTo) {
   const Place place{Profile::geodetic, 10, 3, 300, 64};
   RandomMesh random(place, Terrain::flat, 3);
-  CurvatureGrid grid(random.frame, place.level(1e6));
+  BaseGrid grid(random.frame, place.level(1e6));
   grid.addNodes(4);
   EXPECT_GT(Decimator().run(random.mesh, random.heights, grid, 1), 100);
   for (std::size_t v = 0; v < random.mesh.vertices().size(); ++v) {

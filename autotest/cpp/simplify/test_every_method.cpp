@@ -55,7 +55,7 @@ class EveryMethod : public testing::TestWithParam<const SimplifierInfo*> {
   }
 };
 
-/// The vertices at the nodes of the curvature grid, corners included.
+/// The vertices at the nodes of the base grid, corners included.
 std::size_t curvatureNodes(const Simplified& made) {
   std::set<std::pair<int, int>> places;
   for (const TinVertex& vertex : made.tin.vertices)
@@ -81,7 +81,7 @@ void expectContractHeights(const HeightTile& tile, const Simplified& made) {
   }
 }
 
-/// The longest edge of a TIN, squared, and that of the diagonals of its curvature grid's cells.
+/// The longest edge of a TIN, squared, and that of the diagonals of its base grid's cells.
 std::int64_t longestEdge(const Tin& tin) {
   std::int64_t longest = 0;
   for (const TinTriangle& t : tin.triangles) {
@@ -162,7 +162,7 @@ TEST_P(EveryMethod, KeepsItsPromisesOnLargeTiles) {
   }
 }
 
-/// Where the globe is curved no edge is longer than the diagonal of a cell of the curvature grid,
+/// Where the globe is curved no edge is longer than the diagonal of a cell of the base grid,
 /// however little the heights need: at the max errors of the zooms by default.
 TEST_P(EveryMethod, KeepsEdgesShortOnTheGlobe) {
   using P = Profile;
@@ -294,7 +294,7 @@ TEST_P(EveryMethod, IsAPureFunction) {
   }
 }
 
-/// Frees the edges whose bit is set; they begin with the nodes of the curvature grid.
+/// Frees the edges whose bit is set; they begin with the nodes of the base grid.
 void freeEdges(unsigned bits, Simplified& made) {
   for (const Edge edge : kEdges) {
     if ((bits >> edge & 1) == 0)

@@ -65,7 +65,7 @@ TEST(Greedy, ReachesTheMaxErrorOnOrdinaryTerrain) {
   }
 }
 
-TEST(Greedy, KeepsTheCurvatureGrid) {
+TEST(Greedy, KeepsTheBaseGrid) {
   const Place place{Profile::geodetic, 0, 0, 0, 64};
   const TerrainPatch patch(place.lattice(), place.id(), 1, 1, Terrain::flat, 1);
   LevelParams level = place.level(20000);

@@ -98,7 +98,7 @@ TEST(Qem, RatioIsTheShareOfVertices) {
             std::size_t(65 * 65 / 2));
 }
 
-TEST(Qem, KeepsTheCurvatureGrid) {
+TEST(Qem, KeepsTheBaseGrid) {
   const Place place{Profile::geodetic, 0, 0, 0, 64};
   const TerrainPatch patch(place.lattice(), place.id(), 1, 1, Terrain::flat, 1);
   LevelParams level = place.level(20000);
@@ -175,7 +175,7 @@ class Collapsing : public testing::Test {
     std::vector<std::uint8_t> stays;
     for (const NodeVertex& v : mesh_.vertices())
       stays.push_back(v.i == 0 || v.j == 0 || v.i == 16 || v.j == 16 ? 1 : 0);
-    collapser_.reset(mesh_, {0.01, 0.012}, stays, CurvatureGrid(), &log_);
+    collapser_.reset(mesh_, {0.01, 0.012}, stays, BaseGrid(), &log_);
   }
 
   /// Corners of all triangles, each beginning with its smallest; kGone for those collapsed.

@@ -16,7 +16,7 @@ using namespace test;
 
 const Place kPlace{Profile::mercator, 11, 352, 1300, 32};
 
-/// All nodes as vertices but those of the border, which has the curvature grid's only.
+/// All nodes as vertices but those of the border, which has the base grid's only.
 struct Full {
   explicit Full(Terrain terrain, int baseGrid = 1)
       : patch(kPlace.lattice(), kPlace.id(), 1, 1, terrain, 5), tile(patch.tile()) {
@@ -38,7 +38,7 @@ struct Full {
   }
 
   int removeAll(float tolerance) {
-    const CurvatureGrid grid(made.frame, made.level);
+    const BaseGrid grid(made.frame, made.level);
     VertexRemoval removal;
     int removed = 0;
     while (const int now = removal.run(nodes.triangulation(), heights, grid, tolerance))
@@ -61,11 +61,11 @@ TEST(VertexRemoval, LevelGroundNeedsNoVertex) {
   EXPECT_EQ(full.made.tin.triangles.size(), 2u);
 }
 
-TEST(VertexRemoval, KeepsTheCurvatureGridAndItsEdgesShort) {
+TEST(VertexRemoval, KeepsTheBaseGridAndItsEdgesShort) {
   Full full(Terrain::flat, 4);
   EXPECT_GT(full.removeAll(1), 800);
   EXPECT_EQ(checkTin(full.made.tin), "");
-  const CurvatureGrid grid(full.made.frame, full.made.level);
+  const BaseGrid grid(full.made.frame, full.made.level);
   const Triangulation& mesh = full.nodes.triangulation();
   for (std::size_t v = 0; v < mesh.vertices().size(); ++v) {
     const NodeVertex& vertex = mesh.vertices()[v];

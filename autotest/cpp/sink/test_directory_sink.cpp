@@ -19,7 +19,7 @@
 #include <cpl_vsi.h>
 
 #include "sink/directory_sink.h"
-#include "sink/set_swap.h"
+#include "sink/tileset_swap.h"
 #include "vsi/scratch_folder.h"
 #include "vsi/vsi_files.h"
 

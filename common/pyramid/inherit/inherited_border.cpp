@@ -20,8 +20,8 @@ bool mayBeChosen(Edge edge, const HeightTile& tile) {
   return tile.lattice().columns() > tile.cells();
 }
 
-void listCurvatureGrid(Edge edge, const TileFrame& frame, int baseGrid,
-                       std::vector<std::uint16_t>& places) {
+void listBaseGrid(Edge edge, const TileFrame& frame, int baseGrid,
+                  std::vector<std::uint16_t>& places) {
   const int n = frame.cells();
   places.clear();
   for (int k = 0; k <= n; k += n / baseGrid)
@@ -39,7 +39,7 @@ void completeBorder(const Simplifier& simplifier, const HeightTile& tile, const 
       continue;
     border.isFree[edge] = simplifier.choosesBorder() && mayBeChosen(edge, tile);
     if (border.isFree[edge])
-      listCurvatureGrid(edge, frame, level.baseGrid, border[edge]);
+      listBaseGrid(edge, frame, level.baseGrid, border[edge]);
     else
       border[edge] = shared[edge];
   }

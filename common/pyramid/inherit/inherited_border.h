@@ -8,7 +8,7 @@ namespace qmesh {
 
 /// --border inherit: makes a border ready for the simplifier. Edges that are not free were built by
 /// neighbours and stay. A free edge that the method may choose begins with the nodes of the
-/// curvature grid; the others become what --border shared has and final: all of a method that does
+/// base grid; the others become what --border shared has and final: all of a method that does
 /// not choose, a pole's row (one point for every tile of it), and the edges of a tile that goes
 /// round the globe and is its own neighbour.
 void completeBorder(const Simplifier& simplifier, const HeightTile& tile, const TileFrame& frame,

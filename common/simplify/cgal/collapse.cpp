@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mesh/curvature_grid.h"
+#include "mesh/base_grid.h"
 #include "simplify/cgal/edge_collapse.h"
 #include "simplify/cgal/mesh_thinning.h"
 #include "simplify/exact_refinement.h"
@@ -61,7 +61,7 @@ Status Collapse::simplify(const HeightTile& tile, const TileFrame& frame, const 
   CollapseRule rule;
   QMESH_RETURN_IF_ERROR(makeRule(tile, frame, level, rule));
   const bool bounded = !rule.edges;
-  const CurvatureGrid grid(frame, level);
+  const BaseGrid grid(frame, level);
   rounding_.reset(tile, frame);
   makeStartMesh(tile, frame, border, level, mesh_);
   if (bounded)
@@ -108,7 +108,7 @@ void Collapse::finishBounded(const HeightTile& tile, const TileFrame& frame,
                              const LevelParams& level, Tin& out) {
   nodes_.reset(tile, frame, out);
   Triangulation& mesh = nodes_.triangulation();
-  const CurvatureGrid grid(frame, level);
+  const BaseGrid grid(frame, level);
   while (removal_.run(mesh, judge_.heights(), grid, judge_.tolerance()) > 0) {
   }
   mesh.forgetChanges();

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mesh/curvature_grid.h"
+#include "mesh/base_grid.h"
 #include "simplify/grid_strips.h"
 
 namespace qmesh {
@@ -69,7 +69,7 @@ class StartMesh {
   }
 
   void make(CollapseMesh& mesh) {
-    const CurvatureGrid curvature(frame_, level_);
+    const BaseGrid curvature(frame_, level_);
     GridWithStrips<CollapseVertex> grid;
     grid.make(
         n_,

@@ -37,7 +37,7 @@ constexpr double kNodeNumbers = 1 << 21;
 /// addresses, has one order (promise P3).
 class HeightCost {
  public:
-  HeightCost(const HeightTile& tile, const TileFrame& frame, const CurvatureGrid& curvature)
+  HeightCost(const HeightTile& tile, const TileFrame& frame, const BaseGrid& curvature)
       : tile_(tile), frame_(frame), curvature_(curvature) {}
 
   boost::optional<double> operator()(const Lines&,
@@ -99,7 +99,7 @@ class HeightCost {
 
   const HeightTile& tile_;
   const TileFrame& frame_;
-  const CurvatureGrid& curvature_;
+  const BaseGrid& curvature_;
 };
 
 /// Stops before the first cost above the max error.
@@ -117,7 +117,7 @@ class StopAbove {
 
 } // namespace
 
-void simplifyLines(const HeightTile& tile, const TileFrame& frame, const CurvatureGrid& curvature,
+void simplifyLines(const HeightTile& tile, const TileFrame& frame, const BaseGrid& curvature,
                    double maxError, std::vector<NodeLine>& lines) {
   const NodeGrid grid(frame.cells());
   Lines all;

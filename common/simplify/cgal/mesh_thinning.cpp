@@ -6,7 +6,7 @@
 
 namespace qmesh {
 
-void MeshThinning::run(const HeightTile& tile, const TileFrame& frame, const CurvatureGrid& grid,
+void MeshThinning::run(const HeightTile& tile, const TileFrame& frame, const BaseGrid& grid,
                        double tolerance, CollapseMesh& mesh) {
   load(tile, frame, mesh);
   decimator_.run(triangulation_, heights_, grid, heights_.scanTolerance(tolerance));

@@ -21,8 +21,8 @@ class MeshThinning {
  public:
   /// `tolerance`: metres. The border's vertices and the grid's stay, and no edge becomes longer
   /// than the grid permits. The order of vertices is kept.
-  void run(const HeightTile& tile, const TileFrame& frame, const CurvatureGrid& grid,
-           double tolerance, CollapseMesh& mesh);
+  void run(const HeightTile& tile, const TileFrame& frame, const BaseGrid& grid, double tolerance,
+           CollapseMesh& mesh);
 
  private:
   void load(const HeightTile& tile, const TileFrame& frame, const CollapseMesh& mesh);

@@ -102,7 +102,7 @@ Status PointSetMethod::simplify(const HeightTile& tile, const TileFrame& frame,
       taken_[std::size_t(node)] = 1;
   }
   addFreeEdges(site, border);
-  simplifyLines(tile, frame, CurvatureGrid(frame, level),
+  simplifyLines(tile, frame, BaseGrid(frame, level),
                 borderMaxError_.valueOr(level.zoom, level.maxError), parts_.lines);
 
   parts_.nodes.clear();

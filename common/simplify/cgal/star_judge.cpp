@@ -8,7 +8,7 @@
 namespace qmesh {
 
 void StarJudge::reset(const HeightTile& tile, const TileFrame& frame, const Border& border,
-                      const CurvatureGrid& grid, const CollapseMesh& mesh,
+                      const BaseGrid& grid, const CollapseMesh& mesh,
                       std::optional<double> maxError) {
   mesh_ = &mesh;
   grid_ = grid;

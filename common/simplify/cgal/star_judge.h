@@ -7,21 +7,21 @@
 #include <optional>
 #include <vector>
 
-#include "mesh/curvature_grid.h"
+#include "mesh/base_grid.h"
 #include "simplify/cgal/collapse_mesh.h"
 #include "simplify/node_heights.h"
 
 namespace qmesh {
 
 /// Says whether an edge may collapse to a vertex: judged is what would be written. No new triangle
-/// may be flipped or degenerate in (u, v) or have an edge longer than the curvature grid permits;
+/// may be flipped or degenerate in (u, v) or have an edge longer than the base grid permits;
 /// where an error is given no node of them may be off by
 /// more.
 class StarJudge {
  public:
   /// `maxError`: metres. REQUIRES: tile, frame and mesh live as long as this is used.
   void reset(const HeightTile& tile, const TileFrame& frame, const Border& border,
-             const CurvatureGrid& grid, const CollapseMesh& mesh, std::optional<double> maxError);
+             const BaseGrid& grid, const CollapseMesh& mesh, std::optional<double> maxError);
 
   /// The edge from vertex `first` to `second` becomes `placed`; `star`: the triangles around both.
   bool accepts(std::uint32_t first, std::uint32_t second, const CollapseVertex& placed,
@@ -33,7 +33,7 @@ class StarJudge {
 
  private:
   const CollapseMesh* mesh_ = nullptr;
-  CurvatureGrid grid_;
+  BaseGrid grid_;
   std::optional<float> tolerance_;
   NodeHeights heights_;
 };

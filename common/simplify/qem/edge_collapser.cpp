@@ -38,7 +38,7 @@ std::vector<std::uint32_t> ranks(const Triangulation& mesh) {
 } // namespace
 
 void EdgeCollapser::reset(Triangulation& mesh, const MetricScale& scale,
-                          const std::vector<std::uint8_t>& stays, const CurvatureGrid& grid,
+                          const std::vector<std::uint8_t>& stays, const BaseGrid& grid,
                           CollapseLog* log) {
   mesh_ = &mesh;
   log_ = log;

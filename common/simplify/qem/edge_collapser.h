@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "geo/vec3.h"
-#include "mesh/curvature_grid.h"
+#include "mesh/base_grid.h"
 #include "simplify/metric_scale.h"
 #include "simplify/qem/collapse_log.h"
 #include "simplify/qem/quadric.h"
@@ -26,7 +26,7 @@ class EdgeCollapser {
   /// edge becomes longer than the grid permits.
   /// REQUIRES: the mesh lives as long and nobody else changes it; a `log`, if not null, is cleared.
   void reset(Triangulation& mesh, const MetricScale& scale, const std::vector<std::uint8_t>& stays,
-             const CurvatureGrid& grid, CollapseLog* log = nullptr);
+             const BaseGrid& grid, CollapseLog* log = nullptr);
 
   /// Vertices of the mesh as it is.
   std::size_t vertices() const { return vertices_; }
@@ -78,7 +78,7 @@ class EdgeCollapser {
   Triangulation* mesh_ = nullptr;
   CollapseLog* log_ = nullptr;
   std::vector<std::uint8_t> stays_;
-  CurvatureGrid grid_;
+  BaseGrid grid_;
   std::vector<Vec3> points_;
   std::vector<Quadric> quadrics_;
   std::vector<double> ownError_;     ///< by vertex: of its quadric where it stands

@@ -2,7 +2,7 @@
 // Copyright (c) 2026 the qmesh authors
 #include <limits>
 
-#include "mesh/curvature_grid.h"
+#include "mesh/base_grid.h"
 #include "simplify/finish.h"
 #include "simplify/methods.h"
 #include "simplify/metric_scale.h"
@@ -35,7 +35,7 @@ class Qem final : public Simplifier {
   };
 
   Result<Stop> stopAt(const LevelParams& level, int cells) const;
-  void markStaying(const CurvatureGrid& grid);
+  void markStaying(const BaseGrid& grid);
 
   MethodOptions options_;
   NodeMesh nodes_;
@@ -57,8 +57,8 @@ Result<Qem::Stop> Qem::stopAt(const LevelParams& level, int cells) const {
   return Stop{svo->value_or(otherwise), std::size_t(ratio->value_or(0) * all)};
 }
 
-/// The edges' vertices and the nodes of the curvature grid.
-void Qem::markStaying(const CurvatureGrid& grid) {
+/// The edges' vertices and the nodes of the base grid.
+void Qem::markStaying(const BaseGrid& grid) {
   stays_.clear();
   for (const NodeVertex& vertex : nodes_.triangulation().vertices())
     stays_.push_back(!isInner(vertex.corner) || grid.isNode(vertex.i, vertex.j) ? 1 : 0);
@@ -70,7 +70,7 @@ Status Qem::simplify(const HeightTile& tile, const TileFrame& frame, const Borde
   if (!stop.ok())
     return stop.status();
   nodes_.resetToAllNodes(tile, frame, border);
-  const CurvatureGrid grid(frame, level);
+  const BaseGrid grid(frame, level);
   markStaying(grid);
   collapser_.reset(nodes_.triangulation(), metricScale(tile), stays_, grid);
   while (collapser_.vertices() > stop->vertices && collapser_.findNext() &&

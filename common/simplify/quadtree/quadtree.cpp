@@ -124,7 +124,7 @@ Status Quadtree::simplify(const HeightTile& tile, const TileFrame& frame, const 
   if (observer_.exists()) {
     mesh_.nodes().write(out);
   } else {
-    mesh_.nodes().triangulation().limitFlips(CurvatureGrid(frame, level));
+    mesh_.nodes().triangulation().limitFlips(BaseGrid(frame, level));
     exact_.reset(tile, frame, level.maxError);
     exact_.run(mesh_.nodes(), out);
   }

@@ -237,7 +237,7 @@ TEST(Collapse, ReachesTheMaxErrorOnOrdinaryTerrain) {
   }
 }
 
-TEST(Collapse, KeepsTheCurvatureGrid) {
+TEST(Collapse, KeepsTheBaseGrid) {
   const Place place{Profile::geodetic, 0, 0, 0, 64};
   const TerrainPatch patch(place.lattice(), place.id(), 1, 1, Terrain::fractal, 1);
   LevelParams level = place.level(20000);

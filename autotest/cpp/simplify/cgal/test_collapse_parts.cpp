@@ -73,7 +73,7 @@ TEST(StartMesh, AFreeEdgeIsWithinTheMaxErrorAtCliffs) {
 TEST(MeshThinning, LeavesAValidMeshWithinTheTolerance) {
   for (const Terrain terrain : {Terrain::fractal, Terrain::plane, Terrain::flat}) {
     Start start(terrain, 60);
-    MeshThinning().run(start.tile, start.made.frame, CurvatureGrid(), 20, start.mesh);
+    MeshThinning().run(start.tile, start.made.frame, BaseGrid(), 20, start.mesh);
     Simplified thinned = start.made;
     thinned.tin = tinOf(start.mesh);
     EXPECT_EQ(checkTin(thinned.tin), "");

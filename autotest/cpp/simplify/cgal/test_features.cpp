@@ -121,7 +121,7 @@ LineCase simplifyLine(const TerrainPatch& patch, const std::vector<NodeLine>& li
   LineCase made;
   made.frame.reset(patch.tile(), kPlace.level(1));
   made.lines = lines;
-  simplifyLines(patch.tile(), made.frame, CurvatureGrid(), maxError, made.lines);
+  simplifyLines(patch.tile(), made.frame, BaseGrid(), maxError, made.lines);
   return made;
 }
 
@@ -229,7 +229,7 @@ TEST(Features, TheirPiecesAreEdgesOfTheMesh) {
   TileFrame frame;
   frame.reset(patch.tile(), level);
   std::vector<NodeLine> lines = trace(patch.tile(), tracer);
-  simplifyLines(patch.tile(), frame, CurvatureGrid(), level.maxError, lines);
+  simplifyLines(patch.tile(), frame, BaseGrid(), level.maxError, lines);
   ASSERT_GE(lines.size(), 2u);
   for (const char* method : kMethods) {
     MethodOptions options;

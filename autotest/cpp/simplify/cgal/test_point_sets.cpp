@@ -88,7 +88,7 @@ TEST(PointSets, AFlatTileOfEqualPointsWorks) {
   }
 }
 
-/// Flat, 9 x 9 nodes, no curvature grid.
+/// Flat, 9 x 9 nodes, no base grid.
 struct Drawn {
   Place place;
   TerrainPatch patch{place.lattice(), place.id(), 1, 1, Terrain::flat, 1};

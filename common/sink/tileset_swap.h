@@ -17,9 +17,9 @@ namespace qmesh {
 /// folders out, the new zoom folders and files in, files that are not ours back into their zoom
 /// folders, the new layer.json in. That last step decides: with it the new set counts, without it
 /// undo() restores the old one.
-class SetSwap {
+class TilesetSwap {
  public:
-  SetSwap(std::string output, std::string hidden);
+  TilesetSwap(std::string output, std::string hidden);
 
   std::string newFolder() const { return hidden_ + "/new"; }
 

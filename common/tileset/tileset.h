@@ -20,20 +20,20 @@ namespace qmesh {
 
 /// A quantized-mesh set as it lies in a folder, in an archive or on a server, by any producer.
 /// Const after open: threads share it.
-class TerrainSet {
+class Tileset {
  public:
   /// `path`: the folder, its layer.json, either with the prefix "QMESH:", or an http(s) URL of
   /// them (read through /vsicurl/). Code::input with the file and the fault.
-  static Result<TerrainSet> open(const std::string& path);
+  static Result<Tileset> open(const std::string& path);
 
   /// One .terrain file alone. Its zoom, column and row come from its path, .../z/x/y.terrain; what
   /// else there is to know from the layer.json beside the zoom folders where there is one, else it
   /// is taken for geodetic with rows from the south. Code::input where the path has no numbers.
-  static Result<TerrainSet> openTile(const std::string& path);
+  static Result<Tileset> openTile(const std::string& path);
 
   /// The set of a layer.json that the caller has read, and mended perhaps, himself. Code::input
   /// where its tiles cannot be told.
-  static Result<TerrainSet> of(const std::string& layerPath, LayerJson layer);
+  static Result<Tileset> of(const std::string& layerPath, LayerJson layer);
 
   const std::string& layerPath() const { return layerPath_; }
   const LayerJson& layer() const { return layer_; }
@@ -65,9 +65,9 @@ class TerrainSet {
   Result<TileMesh> decode(TileId tile, const std::vector<std::uint8_t>& bytes) const;
 
  private:
-  TerrainSet(std::string layerPath, LayerJson layer);
+  Tileset(std::string layerPath, LayerJson layer);
 
-  static Result<TerrainSet> fromLayer(const std::string& layerPath);
+  static Result<Tileset> fromLayer(const std::string& layerPath);
   Status findTiles();
   Status learnFromRoots(std::vector<std::vector<TileRange>>& levels) const;
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the qmesh authors
-#include "sink/set_files.h"
+#include "sink/tileset_files.h"
 
 #include <algorithm>
 #include <array>
@@ -11,7 +11,7 @@
 #include <cpl_vsi.h>
 
 #include "base/text.h"
-#include "sink/set_swap.h"
+#include "sink/tileset_swap.h"
 #include "vsi/folder_lock.h"
 #include "vsi/quiet_errors.h"
 #include "vsi/vsi_files.h"
@@ -117,7 +117,7 @@ Status checkNoArchive(const std::string& folder) {
 }
 
 Status checkTarget(const std::string& from, const std::string& to) {
-  if (!isTerrainSet(from))
+  if (!holdsTileset(from))
     return noSet(from);
   QMESH_RETURN_IF_ERROR(checkNoArchive(to));
   if (pathExists(to) && (!isFolder(to) || !listFolder(to).empty()))
@@ -161,7 +161,7 @@ std::string tileFileName(TileId tile, bool xyz) {
          ".terrain";
 }
 
-bool isSetFile(const std::string& name) {
+bool isTilesetFile(const std::string& name) {
   const auto parts = split(name, '/');
   if (parts.size() == 3)
     return isZoomName(std::string(parts[0])) && parseInteger(parts[1]) &&
@@ -176,7 +176,7 @@ bool saysQuantizedMesh(const std::string& head) {
          head.find("\"quantized-mesh-1.") != std::string::npos;
 }
 
-bool isTerrainSet(const std::string& folder) {
+bool holdsTileset(const std::string& folder) {
   return saysQuantizedMesh(readHead(folder + "/" + kLayerJsonName, kHeadBytes));
 }
 
@@ -193,8 +193,8 @@ void removeNotes(const std::string& folder) {
   VSIUnlink((folder + "/" + kLayerJsonName + kNotes).c_str());
 }
 
-Status deleteSet(const std::string& folder) {
-  if (!isTerrainSet(folder))
+Status deleteTileset(const std::string& folder) {
+  if (!holdsTileset(folder))
     return noSet(folder);
   QMESH_RETURN_IF_ERROR(checkNoArchive(folder));
   QuietErrors errors;
@@ -208,15 +208,15 @@ Status deleteSet(const std::string& folder) {
   return {};
 }
 
-Status renameSet(const std::string& from, const std::string& to) {
+Status renameTileset(const std::string& from, const std::string& to) {
   QMESH_RETURN_IF_ERROR(checkNoArchive(from));
   QMESH_RETURN_IF_ERROR(checkTarget(from, to));
   // Without its layer.json nobody takes a half-moved set for a whole one.
   const std::string layer = from + "/" + kLayerJsonName;
   const std::string aside = to + "/" + kLayerJsonName + ".moving";
   if (!renamePath(layer, aside).ok()) { // another file system
-    QMESH_RETURN_IF_ERROR(copySet(from, to));
-    return deleteSet(from);
+    QMESH_RETURN_IF_ERROR(copyTileset(from, to));
+    return deleteTileset(from);
   }
   const SetFiles set = listSet(from);
   const auto move = [&](const std::string& a, const std::string& b) {
@@ -235,7 +235,7 @@ Status renameSet(const std::string& from, const std::string& to) {
   return status;
 }
 
-Status copySet(const std::string& from, const std::string& to) {
+Status copyTileset(const std::string& from, const std::string& to) {
   QMESH_RETURN_IF_ERROR(checkTarget(from, to));
   const SetFiles set = listSet(from);
   Status status = forEachFile(set, from, to, copyFile);

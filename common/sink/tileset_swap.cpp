@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the qmesh authors
-#include "sink/set_swap.h"
+#include "sink/tileset_swap.h"
 
 #include <algorithm>
 
@@ -8,7 +8,7 @@
 #include <cpl_vsi.h>
 
 #include "base/text.h"
-#include "sink/set_files.h"
+#include "sink/tileset_files.h"
 #include "tiling/scheme.h"
 #include "vsi/quiet_errors.h"
 #include "vsi/vsi_files.h"
@@ -69,10 +69,10 @@ bool holdsTiles(const std::string& zoomFolder) {
   return false;
 }
 
-SetSwap::SetSwap(std::string output, std::string hidden)
+TilesetSwap::TilesetSwap(std::string output, std::string hidden)
     : output_(std::move(output)), hidden_(std::move(hidden)) {}
 
-Status SetSwap::moveOut(const std::string& name) {
+Status TilesetSwap::moveOut(const std::string& name) {
   const std::string from = output_ + "/" + name;
   if (!pathExists(from))
     return {};
@@ -83,14 +83,14 @@ Status SetSwap::moveOut(const std::string& name) {
   return renamePath(from, to);
 }
 
-Status SetSwap::moveIn(const std::string& name) {
+Status TilesetSwap::moveIn(const std::string& name) {
   const std::string to = output_ + "/" + name;
   QMESH_RETURN_IF_ERROR(makeFolders(folderOf(to)));
   return renamePath(newFolder() + "/" + name, to);
 }
 
 /// What is not ours moves from one zoom folder (depth 0) or column folder (depth 1) to another.
-Status SetSwap::moveForeign(const std::string& from, const std::string& to, int depth) {
+Status TilesetSwap::moveForeign(const std::string& from, const std::string& to, int depth) {
   for (const std::string& name : listFolder(from)) {
     const std::string path = from + "/" + name;
     if (depth == 0 && isDigits(name) && isFolder(path)) {
@@ -103,7 +103,7 @@ Status SetSwap::moveForeign(const std::string& from, const std::string& to, int 
   return {};
 }
 
-Status SetSwap::moveAll(const std::vector<std::string>& items) {
+Status TilesetSwap::moveAll(const std::vector<std::string>& items) {
   QMESH_RETURN_IF_ERROR(moveOut(kLayerJsonName));
   for (const std::string& name : listFolder(output_)) {
     const bool replaced = std::find(items.begin(), items.end(), name) != items.end();
@@ -120,7 +120,7 @@ Status SetSwap::moveAll(const std::vector<std::string>& items) {
   return moveIn(kLayerJsonName);
 }
 
-Status SetSwap::run(const std::vector<std::string>& files) {
+Status TilesetSwap::run(const std::vector<std::string>& files) {
   std::vector<std::string> items = files;
   for (const std::string& name : listFolder(newFolder()))
     if (isZoomName(name))
@@ -142,7 +142,7 @@ Status SetSwap::run(const std::vector<std::string>& files) {
 
 /// Takes one zoom folder or file out again and puts the old one back. `listed`: named in the
 /// journal.
-Status SetSwap::takeBack(const std::string& item, bool listed) {
+Status TilesetSwap::takeBack(const std::string& item, bool listed) {
   const std::string there = output_ + "/" + item;
   const std::string made = newFolder() + "/" + item;
   const std::string old = hidden_ + "/old/" + item;
@@ -161,7 +161,7 @@ Status SetSwap::takeBack(const std::string& item, bool listed) {
   return renamePath(old, there);
 }
 
-Status SetSwap::undo() {
+Status TilesetSwap::undo() {
   const std::string journal = hidden_ + "/journal";
   if (!pathExists(newFolder() + "/" + kLayerJsonName) || !pathExists(journal))
     return {};

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the qmesh authors
-#include "validate/finding_book.h"
+#include "validate/finding_counts.h"
 
 namespace qmesh {
 
-void FindingBook::add(const Findings& findings) {
+void FindingCounts::add(const Findings& findings) {
   for (const Finding& finding : findings) {
     if (ignored_.count(finding.code) > 0)
       continue;
@@ -15,7 +15,7 @@ void FindingBook::add(const Findings& findings) {
   }
 }
 
-std::uint64_t FindingBook::count(Severity severity) const {
+std::uint64_t FindingCounts::count(Severity severity) const {
   std::uint64_t count = 0;
   for (const auto& [code, entry] : entries_)
     if (findingKind(code).severity == severity)

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the qmesh authors
-#include "mesh/curvature_grid.h"
+#include "mesh/base_grid.h"
 
 #include <algorithm>
 
 namespace qmesh {
 
-CurvatureGrid::CurvatureGrid(const TileFrame& frame, const LevelParams& level)
+BaseGrid::BaseGrid(const TileFrame& frame, const LevelParams& level)
     : cells_(frame.cells()), step_(cells_ / level.baseGrid) {
   if (level.baseGrid == 1)
     return;
@@ -19,7 +19,7 @@ CurvatureGrid::CurvatureGrid(const TileFrame& frame, const LevelParams& level)
   longest_ = widest * widest + highest * highest;
 }
 
-void CurvatureGrid::addNodes(int cellsPerEdge) {
+void BaseGrid::addNodes(int cellsPerEdge) {
   step_ = std::min(step_, cells_ / cellsPerEdge);
 }
 

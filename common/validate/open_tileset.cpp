@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the qmesh authors
-#include "validate/open_set.h"
+#include "validate/open_tileset.h"
 
 #include "codec/gzip.h"
 #include "tileset/tile_address.h"
-#include "validate/set_checks.h"
+#include "validate/tileset_checks.h"
 #include "vsi/vsi_read.h"
 
 namespace qmesh {
@@ -39,12 +39,12 @@ Result<std::string> layerText(const std::string& path) {
 
 } // namespace
 
-Result<OpenedSet> openSet(const std::string& path) {
+Result<OpenedTileset> openTileset(const std::string& path) {
   if (isTilePath(path)) {
-    Result<TerrainSet> tile = TerrainSet::openTile(path);
+    Result<Tileset> tile = Tileset::openTile(path);
     if (!tile.ok())
       return tile.status();
-    return OpenedSet{*std::move(tile), {}, false, false};
+    return OpenedTileset{*std::move(tile), {}, false, false};
   }
   const std::string layerPath = layerJsonPath(path);
   const Result<std::string> text = layerText(layerPath);
@@ -52,7 +52,7 @@ Result<OpenedSet> openSet(const std::string& path) {
     return text.status();
   Findings findings;
   CheckedLayer checked = checkLayer(*text, findings);
-  Result<TerrainSet> set = TerrainSet::of(layerPath, std::move(checked.layer));
+  Result<Tileset> set = Tileset::of(layerPath, std::move(checked.layer));
   if (!set.ok())
     return set.status();
   const bool unreadable = !findings.empty() && findings[0].code <= 102;
@@ -60,7 +60,7 @@ Result<OpenedSet> openSet(const std::string& path) {
     return Status(Code::input, findings[0].code == 101
                                    ? "there is no '" + layerPath + "', nor tiles beside it"
                                    : "'" + layerPath + "' cannot be read: " + findings[0].what);
-  return OpenedSet{*std::move(set), std::move(findings), checked.available, !unreadable};
+  return OpenedTileset{*std::move(set), std::move(findings), checked.available, !unreadable};
 }
 
 } // namespace qmesh

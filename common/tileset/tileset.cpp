@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the qmesh authors
-#include "tileset/terrain_set.h"
+#include "tileset/tileset.h"
 
 #include <algorithm>
 
@@ -68,24 +68,24 @@ std::optional<TilePlace> placeOf(const std::string& path) {
 
 } // namespace
 
-TerrainSet::TerrainSet(std::string layerPath, LayerJson layer)
+Tileset::Tileset(std::string layerPath, LayerJson layer)
     : layerPath_(std::move(layerPath)), layer_(std::move(layer)),
       reader_(openTileReader(layerPath_, layer_)) {}
 
-Result<TerrainSet> TerrainSet::open(const std::string& path) {
-  Result<TerrainSet> set = fromLayer(layerJsonPath(path));
+Result<Tileset> Tileset::open(const std::string& path) {
+  Result<Tileset> set = fromLayer(layerJsonPath(path));
   if (set.ok())
     QMESH_RETURN_IF_ERROR(set->findTiles());
   return set;
 }
 
-Result<TerrainSet> TerrainSet::of(const std::string& layerPath, LayerJson layer) {
-  TerrainSet set(layerPath, std::move(layer));
+Result<Tileset> Tileset::of(const std::string& layerPath, LayerJson layer) {
+  Tileset set(layerPath, std::move(layer));
   QMESH_RETURN_IF_ERROR(set.findTiles());
   return set;
 }
 
-Result<TerrainSet> TerrainSet::fromLayer(const std::string& layerPath) {
+Result<Tileset> Tileset::fromLayer(const std::string& layerPath) {
   Result<FileBytes> bytes = readWholeFile(layerPath, kMaxLayer);
   if (!bytes.ok())
     return bytes.status();
@@ -94,18 +94,18 @@ Result<TerrainSet> TerrainSet::fromLayer(const std::string& layerPath) {
   Result<LayerJson> layer = parseLayer(layerPath, std::move(**bytes));
   if (!layer.ok())
     return layer.status();
-  return TerrainSet(layerPath, std::move(*layer));
+  return Tileset(layerPath, std::move(*layer));
 }
 
-Result<TerrainSet> TerrainSet::openTile(const std::string& path) {
+Result<Tileset> Tileset::openTile(const std::string& path) {
   const auto place = placeOf(path);
   if (!place)
     return Status(Code::input, "'" + path +
                                    "' does not say which tile it is: its path must end in "
                                    "zoom/column/row.terrain");
-  Result<TerrainSet> set = fromLayer(layerJsonPath(place->folder));
+  Result<Tileset> set = fromLayer(layerJsonPath(place->folder));
   if (!set.ok())
-    set = TerrainSet(layerJsonPath(place->folder), LayerJson());
+    set = Tileset(layerJsonPath(place->folder), LayerJson());
   TileId tile = place->written;
   const Scheme scheme = set->scheme();
   if (tile.x >= scheme.tilesX(tile.z) || tile.y >= scheme.tilesY(tile.z))
@@ -121,7 +121,7 @@ Result<TerrainSet> TerrainSet::openTile(const std::string& path) {
   return set;
 }
 
-Status TerrainSet::findTiles() {
+Status Tileset::findTiles() {
   Levels levels = layer_.available;
   if (levels.empty() && layer_.metadataAvailability > 0)
     QMESH_RETURN_IF_ERROR(learnFromRoots(levels));
@@ -135,7 +135,7 @@ Status TerrainSet::findTiles() {
   return {};
 }
 
-Status TerrainSet::learnFromRoots(Levels& levels) const {
+Status Tileset::learnFromRoots(Levels& levels) const {
   levels.resize(1);
   for (std::uint32_t x = 0; x < scheme().tilesX(0); ++x) {
     const TileId root{0, x, 0};
@@ -156,30 +156,30 @@ Status TerrainSet::learnFromRoots(Levels& levels) const {
 }
 
 /// CesiumJS: only the old name alone means the old byte order.
-ExtensionLengths TerrainSet::extensionLengths() const {
+ExtensionLengths Tileset::extensionLengths() const {
   const bool old = contains(layer_.extensions, "vertexnormals") &&
                    !contains(layer_.extensions, "octvertexnormals");
   return old ? ExtensionLengths::bigEndian : ExtensionLengths::littleEndian;
 }
 
-bool TerrainSet::mayHave(TileId tile) const {
+bool Tileset::mayHave(TileId tile) const {
   return lists(tile) ||
          (listedInTiles_ && tile.z > available_.maxZoom() && tile.z <= layer_.maxZoom);
 }
 
-int TerrainSet::maxZoom() const {
+int Tileset::maxZoom() const {
   return listedInTiles_ ? std::max(available_.maxZoom(), layer_.maxZoom) : available_.maxZoom();
 }
 
-std::string TerrainSet::tilePath(TileId tile) const {
+std::string Tileset::tilePath(TileId tile) const {
   return reader_->pathOf(tile);
 }
 
-Result<FileBytes> TerrainSet::readBytes(TileId tile) const {
+Result<FileBytes> Tileset::readBytes(TileId tile) const {
   return reader_->readTile(tile);
 }
 
-Result<std::optional<TileMesh>> TerrainSet::readTile(TileId tile) const {
+Result<std::optional<TileMesh>> Tileset::readTile(TileId tile) const {
   const Result<FileBytes> bytes = readBytes(tile);
   if (!bytes.ok())
     return bytes.status();
@@ -191,7 +191,7 @@ Result<std::optional<TileMesh>> TerrainSet::readTile(TileId tile) const {
   return std::optional<TileMesh>(std::move(*mesh));
 }
 
-Result<TileMesh> TerrainSet::decode(TileId tile, const std::vector<std::uint8_t>& bytes) const {
+Result<TileMesh> Tileset::decode(TileId tile, const std::vector<std::uint8_t>& bytes) const {
   const ExtensionLengths lengths = extensionLengths();
   Result<TileMesh> mesh = [&]() -> Result<TileMesh> {
     if (!isGzip(bytes.data(), bytes.size()))

@@ -26,13 +26,13 @@ std::string tileFileName(TileId tile, bool xyz);
 
 /// Whether a set has a file of that relative name: layer.json, a tile, the preview page, GDAL's
 /// notes.
-bool isSetFile(const std::string& name);
+bool isTilesetFile(const std::string& name);
 
 /// Whether the beginning of a layer.json says that its tiles are quantized meshes.
 bool saysQuantizedMesh(const std::string& head);
 
 /// Whether `folder` holds a layer.json that does; reads its first bytes only.
-bool isTerrainSet(const std::string& folder);
+bool holdsTileset(const std::string& folder);
 
 /// Whether `folder` holds anything but what a run keeps there while it works.
 bool holdsFiles(const std::string& folder);
@@ -40,13 +40,13 @@ bool holdsFiles(const std::string& folder);
 /// Removes the set: layer.json first, tiles, preview page, what GDAL noted about it (.aux.xml),
 /// a stopped run's leftovers, then the folders that are empty by now. Code::output where it is no
 /// set, a run works in it, or something cannot be removed.
-Status deleteSet(const std::string& folder);
+Status deleteTileset(const std::string& folder);
 
 /// Moves the set to a folder that is not there or empty, layer.json last. Code::output.
-Status renameSet(const std::string& from, const std::string& to);
+Status renameTileset(const std::string& from, const std::string& to);
 
 /// Copies the set likewise; a copy that fails is removed.
-Status copySet(const std::string& from, const std::string& to);
+Status copyTileset(const std::string& from, const std::string& to);
 
 /// Removes what GDAL noted about the set that was in `folder` before (statistics and the like).
 void removeNotes(const std::string& folder);

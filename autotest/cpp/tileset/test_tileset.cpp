@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the qmesh authors
-#include "tileset/terrain_set.h"
+#include "tileset/tileset.h"
 
 #include <gtest/gtest.h>
 
@@ -102,7 +102,7 @@ TEST_F(TerrainSetTest, ReadsPlainAndCompressedTilesAndKnowsAMissingOne) {
   writeTile("0/1/0.terrain", GzipCompressor().compress(squareTile()));
   for (const std::string& path :
        {folder_, folder_ + "/", folder_ + "/layer.json", "QMESH:" + folder_}) {
-    const Result<TerrainSet> set = TerrainSet::open(path);
+    const Result<Tileset> set = Tileset::open(path);
     ASSERT_TRUE(set.ok()) << set.status().message();
     for (const std::uint32_t x : {0u, 1u}) {
       const auto mesh = set->readTile({0, x, 0});
@@ -120,15 +120,15 @@ TEST_F(TerrainSetTest, ReadsPlainAndCompressedTilesAndKnowsAMissingOne) {
 }
 
 TEST_F(TerrainSetTest, FaultsNameTheFile) {
-  EXPECT_EQ(TerrainSet::open(folder_).status().code(), Code::input);
+  EXPECT_EQ(Tileset::open(folder_).status().code(), Code::input);
   write("layer.json", "{}");
-  EXPECT_NE(TerrainSet::open(folder_).status().message().find(folder_ + "/layer.json"),
+  EXPECT_NE(Tileset::open(folder_).status().message().find(folder_ + "/layer.json"),
             std::string::npos);
   write("layer.json", layerText(R"("available":[[{"startX":0,"startY":0,"endX":1,"endY":0}]])"));
   std::vector<std::uint8_t> tile = squareTile();
   tile.resize(100);
   writeTile("0/0/0.terrain", tile);
-  const Result<TerrainSet> set = TerrainSet::open(folder_);
+  const Result<Tileset> set = Tileset::open(folder_);
   ASSERT_TRUE(set.ok());
   const auto mesh = set->readTile({0, 0, 0});
   ASSERT_FALSE(mesh.ok());
@@ -142,7 +142,7 @@ TEST_F(TerrainSetTest, FaultsNameTheFile) {
 TEST_F(TerrainSetTest, AFileThatCannotBeReadIsNoMissingOne) {
   write("layer.json", layerText(R"("available":[[{"startX":0,"startY":0,"endX":1,"endY":0}]])"));
   ASSERT_TRUE(makeFolders(folder_ + "/0/0/0.terrain").ok());
-  const Result<TerrainSet> set = TerrainSet::open(folder_);
+  const Result<Tileset> set = Tileset::open(folder_);
   ASSERT_TRUE(set.ok());
   EXPECT_FALSE(set->readTile({0, 0, 0}).ok());
 }
@@ -154,7 +154,7 @@ TEST_F(TerrainSetTest, WithoutAListTheFolderTells) {
   write("2/5/note.txt", "not a tile");
   write("2/05/1.terrain.tmp", "not a tile");
   write("9999999999/1/1.terrain", "no zoom");
-  const Result<TerrainSet> set = TerrainSet::open(folder_);
+  const Result<Tileset> set = Tileset::open(folder_);
   ASSERT_TRUE(set.ok()) << set.status().message();
   EXPECT_EQ(set->maxZoom(), 2);
   EXPECT_TRUE(set->lists({2, 5, 0}));
@@ -166,7 +166,7 @@ TEST_F(TerrainSetTest, WithoutAListTheRootsTell) {
   const std::string below =
       R"({"available":[[{"startX":1,"startY":0,"endX":1,"endY":1}],[{"startX":2,"startY":0,"endX":3,"endY":3}]]})";
   writeTile("0/0/0.terrain", squareTile(below));
-  const Result<TerrainSet> set = TerrainSet::open(folder_);
+  const Result<Tileset> set = Tileset::open(folder_);
   ASSERT_TRUE(set.ok()) << set.status().message();
   EXPECT_TRUE(set->lists({0, 0, 0}));
   EXPECT_FALSE(set->lists({0, 1, 0}));
@@ -185,7 +185,7 @@ TEST_F(TerrainSetTest, OldServersWroteLengthsTheOtherWayRound) {
   ASSERT_EQ(tile[length], 8);
   std::swap(tile[length], tile[length + 3]);
   writeTile("0/0/0.terrain", tile);
-  const Result<TerrainSet> set = TerrainSet::open(folder_);
+  const Result<Tileset> set = Tileset::open(folder_);
   ASSERT_TRUE(set.ok()) << set.status().message();
   const auto mesh = set->readTile({0, 0, 0});
   ASSERT_TRUE(mesh.ok()) << mesh.status().message();
@@ -195,20 +195,20 @@ TEST_F(TerrainSetTest, OldServersWroteLengthsTheOtherWayRound) {
 TEST_F(TerrainSetTest, OneTileAlone) {
   writeTile("3/5/2.terrain", squareTile());
   const std::string path = folder_ + "/3/5/2.terrain";
-  Result<TerrainSet> set = TerrainSet::openTile(path);
+  Result<Tileset> set = Tileset::openTile(path);
   ASSERT_TRUE(set.ok()) << set.status().message();
   EXPECT_EQ(*set->singleTile(), (TileId{3, 5, 2}));
   EXPECT_TRUE(*set->readTile({3, 5, 2}));
   EXPECT_EQ(set->available().count(3), 1u);
 
   write("layer.json", layerText(R"("scheme":"slippyMap","available":[])"));
-  set = TerrainSet::openTile(path);
+  set = Tileset::openTile(path);
   ASSERT_TRUE(set.ok());
   EXPECT_EQ(*set->singleTile(), (TileId{3, 5, 5}));
   EXPECT_TRUE(*set->readTile({3, 5, 5}));
 
-  EXPECT_EQ(TerrainSet::openTile(folder_ + "/tile.terrain").status().code(), Code::input);
-  EXPECT_EQ(TerrainSet::openTile(folder_ + "/3/99/2.terrain").status().code(), Code::input);
+  EXPECT_EQ(Tileset::openTile(folder_ + "/tile.terrain").status().code(), Code::input);
+  EXPECT_EQ(Tileset::openTile(folder_ + "/3/99/2.terrain").status().code(), Code::input);
 }
 
 } // namespace

@@ -12,7 +12,7 @@
 namespace qmesh {
 
 /// Counts findings by kind and keeps the first places of each.
-class FindingBook {
+class FindingCounts {
  public:
   struct Entry {
     std::uint64_t count = 0;
@@ -20,7 +20,7 @@ class FindingBook {
   };
 
   /// `most`: places kept of a kind, 0: all. `ignored`: codes that are not wanted.
-  FindingBook(std::size_t most, std::set<int> ignored)
+  FindingCounts(std::size_t most, std::set<int> ignored)
       : most_(most), ignored_(std::move(ignored)) {}
 
   void add(const Findings& findings);

@@ -11,15 +11,15 @@
 
 namespace qmesh {
 
-/// What a level's curvature grid (LevelParams::baseGrid) asks of a tile, so that no triangle lies
+/// What a level's base grid (LevelParams::baseGrid) asks of a tile, so that no triangle lies
 /// deeper below the ellipsoid than the max error: its nodes are vertices, and no edge is longer
 /// than the diagonal of its largest cell. A Delaunay triangulation of the nodes keeps to that by
 /// itself, whatever vertices come in addition: an edge is a chord of a circle without a vertex in
 /// it. Other meshes have to look. A default one asks for nothing but the corners.
-class CurvatureGrid {
+class BaseGrid {
  public:
-  CurvatureGrid() = default;
-  CurvatureGrid(const TileFrame& frame, const LevelParams& level);
+  BaseGrid() = default;
+  BaseGrid(const TileFrame& frame, const LevelParams& level);
 
   /// Nodes of a finer grid stay as well; edges may be as long as before. A power of two, 1..N.
   void addNodes(int cellsPerEdge);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) 2026 the qmesh authors
-#include "mesh/curvature_grid.h"
+#include "mesh/base_grid.h"
 
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@ struct Made {
   Made(const Place& place, double maxError)
       : level(place.level(maxError)), patch(place.lattice(), place.id(), 1, 1, Terrain::flat, 1) {
     frame.reset(patch.tile(), level);
-    grid = CurvatureGrid(frame, level);
+    grid = BaseGrid(frame, level);
   }
 
   bool mayJoin(int i, int j, int k, int l) const { return grid.mayJoin(at(i, j), at(k, l)); }
@@ -29,7 +29,7 @@ struct Made {
   LevelParams level;
   TerrainPatch patch;
   TileFrame frame;
-  CurvatureGrid grid;
+  BaseGrid grid;
 };
 
 TEST(CurvatureRules, PermitsTheDiagonalsOfItsCellsAndNoMore) {
@@ -71,8 +71,8 @@ TEST(CurvatureRules, AsksForNothingWhereTheGroundIsFlat) {
   ASSERT_EQ(made.level.baseGrid, 1);
   EXPECT_TRUE(made.mayJoin(0, 0, 64, 64));
   EXPECT_FALSE(made.grid.isNode(32, 32));
-  EXPECT_TRUE(CurvatureGrid().mayJoin(made.at(0, 0), made.at(64, 64)));
-  EXPECT_FALSE(CurvatureGrid().isNode(32, 64));
+  EXPECT_TRUE(BaseGrid().mayJoin(made.at(0, 0), made.at(64, 64)));
+  EXPECT_FALSE(BaseGrid().isNode(32, 64));
 }
 
 } // namespace

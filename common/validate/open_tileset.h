@@ -4,14 +4,14 @@
 
 #include <string>
 
-#include "tileset/terrain_set.h"
+#include "tileset/tileset.h"
 #include "validate/finding.h"
 
 namespace qmesh {
 
 /// A set of any producer, opened as far as it can be.
-struct OpenedSet {
-  TerrainSet set;
+struct OpenedTileset {
+  Tileset set;
   Findings layerFindings; ///< of its layer.json; none for one tile alone
   bool listed = false;    ///< whether layer.json lists the tiles
   bool announced = false; ///< whether there is a layer.json that says what tiles have
@@ -20,6 +20,6 @@ struct OpenedSet {
 /// Opens a folder, layer.json, tile or address. A layer.json with faults is mended and the faults
 /// are told; where it is missing or no JSON the tiles in the folder make the set, if there are any.
 /// Code::input where nothing can be looked at.
-Result<OpenedSet> openSet(const std::string& path);
+Result<OpenedTileset> openTileset(const std::string& path);
 
 } // namespace qmesh
