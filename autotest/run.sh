@@ -223,7 +223,7 @@ programs() {
 
 # All unit tests but those that take minutes without optimization. They run in the other builds.
 quick_cases="-PointSets.*:Seams.*:Compared.*:Determinism.*:Inherit.Every*:*EveryTerrainAndPlace:*OnTheGlobe/*"
-quick_cases+=":*OnLargeTiles/*:*KeepsFinalEdges*:Quadtree.IsAMesh*:*/wlop:*/collapse:RealDems.*"
+quick_cases+=":PointSetBorder.*:*OnLargeTiles/*:*KeepsFinalEdges*:Quadtree.IsAMesh*:*/wlop:*/collapse:RealDems.*"
 
 # What compiles, and runs what it compiled.
 builds() {

@@ -61,7 +61,7 @@ template <> struct EnumTable<OptionGroup> {
       {OptionGroup::heights, "Heights", "how heights are changed"},
       {OptionGroup::oneTile, "One tile", "header, mesh and picture of one tile"},
       {OptionGroup::sampling, "Sampling", "heights at positions"},
-      {OptionGroup::tiling, "Tiling", "which tiles are made, and how their nodes get heights"},
+      {OptionGroup::tiling, "Tiling", "which tiles are made, and how nodes get heights"},
       {OptionGroup::meshes, "Meshes", "how the mesh of a tile is simplified"},
       {OptionGroup::output, "Output", "what is written"},
       {OptionGroup::running, "Running", "how the program runs; the tiles do not depend on it"},

@@ -11,7 +11,8 @@ void SeamWalk::compare(TileId a, TileId b, const TileEdge& first, const TileEdge
   checkSeam(first, second, tileName(a) + " and " + tileName(b), *report_, findings);
 }
 
-void SeamWalk::add(TileId tile, std::array<TileEdge, 4> edges, Findings& findings) {
+void SeamWalk::add(TileId tile, std::array<TileEdge, 4> edges, // NOLINT: moved from
+                   Findings& findings) {
   if (row_ != tile.y) {
     endRow(findings);
     if (!row_ || *row_ + 1 != tile.y)

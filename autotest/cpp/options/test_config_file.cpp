@@ -53,11 +53,11 @@ TEST(ConfigFile, FaultsHaveTheirLine) {
   EXPECT_EQ(outcome("band = 2\nband = 3"), "f:2: band is set twice; keep one line");
   EXPECT_EQ(outcome("num-threads = 2\nprocesses = 3"),
             "f:2: num-threads is set twice; keep one line");
-  EXPECT_EQ(outcome("title = \"open"), "f:1: expected one value between the quotes");
-  EXPECT_EQ(outcome("title = \"a\" b"), "f:1: expected one value between the quotes");
+  EXPECT_EQ(outcome("title = \"open"), "f:1: expected one value in quotes");
+  EXPECT_EQ(outcome("title = \"a\" b"), "f:1: expected one value in quotes");
   for (const char* name : {"config-file", "help", "version", "options-json"})
     EXPECT_EQ(outcome(std::string(name) + " = x"),
-              "f:1: " + std::string(name) + " belongs on the command line only");
+              "f:1: " + std::string(name) + " is allowed on the command line only");
 }
 
 /// Every row's default, written to a file and read back, changes nothing.
