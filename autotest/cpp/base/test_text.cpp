@@ -89,5 +89,12 @@ TEST(EscapeMarkup, LeavesNothingThatMarkupReads) {
   EXPECT_EQ(escapeMarkup("plain \xc3\xa9"), "plain \xc3\xa9");
 }
 
+TEST(Text, NumbersBelowAnEndAreDigitsAlone) {
+  EXPECT_EQ(parseNumberBelow("0", 1), 0u);
+  EXPECT_EQ(parseNumberBelow("41", 42), 41u);
+  for (const char* text : {"42", "-1", "+1", " 1", "1 ", "", "1e1", "0x1", "99999999999999999999"})
+    EXPECT_FALSE(parseNumberBelow(text, 42)) << text;
+}
+
 } // namespace
 } // namespace qmesh
