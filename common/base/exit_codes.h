@@ -15,7 +15,6 @@ template <> struct EnumTable<Code> {
       {Code::interrupted, "interrupted", "stopped by Ctrl-C or a signal"},
       {Code::input, "input", "the input cannot be used"},
       {Code::output, "output", "the output cannot be written, is full or is already there"},
-      {Code::refused, "refused", "a resume or an update was refused"},
   };
 };
 

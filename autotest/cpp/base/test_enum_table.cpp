@@ -36,7 +36,7 @@ TEST(EnumTable, ChoicesLeaveAliasesOut) {
 }
 
 TEST(ExitCodes, AreNumberedAsPromised) {
-  const char* names[] = {"ok", "internal", "usage", "interrupted", "input", "output", "refused"};
+  const char* names[] = {"ok", "internal", "usage", "interrupted", "input", "output"};
   int number = 0;
   for (const char* name : names) {
     const std::optional<Code> code = enumValue<Code>(name);
