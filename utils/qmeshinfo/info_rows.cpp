@@ -164,8 +164,7 @@ ProgramText infoProgram() {
   ProgramText text;
   text.name = "qmeshinfo";
   text.arguments = "[options] TILESET";
-  text.sentence =
-      "Describes and validates quantized-mesh tilesets of any program and measures their error.";
+  text.sentence = "Describes and validates any quantized-mesh tileset and measures its error.";
   text.inputHint = "one tileset per run";
   text.examples = {
       {"qmeshinfo terrain", "The contents of layer.json: zooms, tiles, extensions."},

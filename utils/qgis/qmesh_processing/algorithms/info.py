@@ -77,8 +77,8 @@ class Info(InfoAlgorithm):
     NAME = "info"
     TITLE = "Terrain information and validation"
     SENTENCE = (
-        "Describes a quantized-mesh terrain of any program and lists what is wrong with it, by numbered findings with their "
-        "cure: against the specification, in meshes and seams, in layer.json, and what viewers are known to stumble over."
+        "Describes any quantized-mesh tileset and validates it: the specification, meshes, seams, layer.json and known "
+        "problems of viewers. Each finding has a number and a suggested fix."
     )
     ROWS = ("set", "stats", "validate", "zoom", "max-findings", "ignore", "num-threads")
     TICKED = ("stats", "validate")
