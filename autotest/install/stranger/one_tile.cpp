@@ -35,7 +35,7 @@ int main(int argc, char** argv) {
   qmesh::TileResult result;
   qmesh::StepSeconds seconds{};
   const qmesh::LevelParams level = qmesh::levelParams(scheme, id.z, 1.0, kCells);
-  qmesh::Status status = job.run(tile, level, "", result, seconds);
+  qmesh::Status status = job.run(tile, level, nullptr, result, seconds);
   if (status.ok())
     status = qmesh::writeWholeFile(argv[1], result.bytes.data(), result.bytes.size());
   if (!status.ok()) {
