@@ -19,7 +19,7 @@ namespace qmesh {
 class WorkTeam {
  public:
   /// `stop` is set when a thread fails or `progress` returns false; the work must check it. Each
-  /// thread calls `enter` first.
+  /// thread calls `enter` first. `stop` and `progress` must outlive this.
   WorkTeam(std::atomic<bool>& stop, const Progress& progress, std::function<void()> enter)
       : stop_(stop), progress_(progress), enter_(std::move(enter)) {}
 

@@ -57,7 +57,8 @@ TEST(InOrder, AnExceptionIsAStatus) {
 
 TEST(WorkTeam, TheFirstFailureStopsTheOthers) {
   std::atomic<bool> stop{false};
-  WorkTeam team(stop, Progress(), [] {});
+  const Progress none;
+  WorkTeam team(stop, none, [] {});
   std::atomic<int> turn{0};
   const Status status = team.run(
       3,

@@ -8,7 +8,7 @@ namespace qmesh {
 
 DownwardJob::DownwardJob(const RunContext& context, const Stage& stage, const KeptTiles& kept,
                          std::unique_ptr<FinestNodes> finest, const Stores& stores)
-    : context_(context), stage_(stage), kept_(kept), stores_(stores),
+    : context_(context), kept_(kept), stores_(stores),
       windows_(context.input, stage, std::move(finest)), maker_(context) {}
 
 Result<BlockResult> DownwardJob::run(TileId block) {

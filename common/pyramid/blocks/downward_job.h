@@ -30,7 +30,6 @@ class DownwardJob : public BlockJob {
   Status fillAll(TileId block);
 
   const RunContext& context_;
-  const Stage& stage_;
   const KeptTiles& kept_;
   Stores stores_;
   BlockWindows windows_;
